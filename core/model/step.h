@@ -1,0 +1,165 @@
+// The steps that a model is made of. Steps name places on the paper, never indices (DESIGN section 2).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/vec.h"
+#include "core/geometry/bspline.h"
+
+namespace kiri {
+
+/// In which frame a place was given.
+enum class Frame {
+  Paper,  ///< paper frame, mm: a place on the sheet at rest
+  Model,  ///< as drawn on the folded model as it lies: x and y of the model frame, seen from the front
+};
+
+/// A place in one of the two frames. In the model frame it means the topmost paper there.
+struct Place {
+  Frame frame = Frame::Paper;
+  Vec2 point;
+};
+
+/// A directed segment. In the paper frame its ends are in the frame of one facet (and may lie beyond it): the
+/// facet that holds `facet`, by default the one under the segment's middle.
+struct DrawnLine {
+  Frame frame = Frame::Paper;
+  Vec2 from;
+  Vec2 to;
+  std::optional<Vec2> facet;  ///< paper frame
+};
+
+/// Which layers a step works on.
+struct AllLayers {};
+/// The `count` uppermost layers along the line, seen from the front.
+struct TopLayers {
+  int count = 1;
+};
+/// The facets that hold these points.
+struct ChosenLayers {
+  std::vector<Place> facets;
+};
+using LayerChoice = std::variant<AllLayers, TopLayers, ChosenLayers>;
+
+/// Which side of the line moves.
+enum class Hand { Left, Right };
+/// By the line's direction, by a point on that side, or by facets that must move.
+struct MovingPoint {
+  Place place;
+};
+struct MovingFacets {
+  std::vector<Place> facets;
+};
+using MovingSide = std::variant<Hand, MovingPoint, MovingFacets>;
+
+/// Seen on the model as it lies: a valley turns the moving side towards the viewer, a mountain away.
+enum class FoldType { Valley, Mountain };
+
+struct FoldStep {
+  std::string name;  ///< of the fold line; empty: "fold N" with N the step's number
+  DrawnLine line;
+  FoldType type = FoldType::Valley;
+  double angle = 180;  ///< degrees, 0 to 180
+  LayerChoice layers = AllLayers{};
+  MovingSide moving = Hand::Left;
+};
+
+/// A fold line by its name, or by a place on one of its hinges.
+using FoldLineName = std::variant<std::string, Place>;
+
+struct AngleStep {
+  FoldLineName line;
+  double angle = 0;  ///< degrees in the fold's own direction, -180 to 180; negative: the other way
+};
+
+/// How several fold lines move.
+enum class Sequence {
+  InOrder,   ///< one after the other: unfold from the last named to the first, refold from first to last
+  Together,  ///< at once, as leaves do (thesis 4.5 B17); the order in which they come to lie is found
+};
+
+struct UnfoldStep {
+  std::vector<FoldLineName> lines;  ///< in the order of folding; empty: all
+  Sequence sequence = Sequence::InOrder;
+};
+
+struct RefoldStep {
+  std::vector<FoldLineName> lines;  ///< in the order of folding; empty: all that are not folded
+  Sequence sequence = Sequence::InOrder;
+};
+
+/// A polyline along existing edges, from a vertex to a point.
+struct DrawnPath {
+  Frame frame = Frame::Paper;
+  std::vector<Vec2> points;
+};
+
+struct TearStep {
+  DrawnPath path;
+  LayerChoice layers = AllLayers{};
+};
+
+struct MendStep {
+  DrawnPath path;  ///< empty: everything that can be mended
+  LayerChoice layers = AllLayers{};
+};
+
+struct AddEdgeStep {
+  DrawnLine line;
+  LayerChoice layers = AllLayers{};
+};
+
+/// Which paper stays after a cut. No places: all of it stays. A place in the model frame keeps what lies on its
+/// side of the cut, in all layers; a place on the paper keeps the connected piece that holds it.
+struct Keep {
+  std::vector<Place> places;
+};
+
+struct StraightCutStep {
+  DrawnLine line;
+  LayerChoice layers = AllLayers{};
+  Keep keep;
+};
+
+struct CurveCutStep {
+  Frame frame = Frame::Model;
+  std::vector<Vec2> controls;
+  std::optional<Vec2> facet;  ///< paper frame: whose frame the controls are in; by default the one they start on
+  bool isClosed = false;
+  SplineEnds ends = SplineEnds::Clamped;
+  LayerChoice layers = AllLayers{};
+  Keep keep;
+};
+
+enum class TurnAxis { Vertical, Horizontal };
+/// Turns the model over about the vertical or horizontal line through the middle of its box.
+struct TurnOverStep {
+  TurnAxis axis = TurnAxis::Vertical;
+};
+
+/// Turns the model in its plane, counter-clockwise, about a point of the model frame (default: middle of its box).
+struct RotateStep {
+  double degrees = 0;
+  std::optional<Vec2> about;
+};
+
+struct MoveStep {
+  Vec2 by;  ///< mm
+};
+
+using Action = std::variant<FoldStep, AngleStep, UnfoldStep, RefoldStep, TearStep, MendStep, AddEdgeStep,
+                            StraightCutStep, CurveCutStep, TurnOverStep, RotateStep, MoveStep>;
+
+/// One operation in a model's history.
+struct Step {
+  Action action;
+  std::string title;
+  std::string notes;
+  std::string unknown;  ///< fields that the reader did not know, as JSON text, kept for the writer
+};
+
+}  // namespace kiri
