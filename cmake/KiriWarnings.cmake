@@ -14,7 +14,7 @@ target_compile_options(
             -Wdouble-promotion
             -Wnon-virtual-dtor
             -Woverloaded-virtual
-            # g++ 12 is wrong about these two: std::variant (bug 105562) and std::string + (bug 105329).
+            # g++ 12 is wrong about these two: std::variant members and std::string + (bug 105329).
             # Both are found for true by the sanitizers.
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
