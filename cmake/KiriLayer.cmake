@@ -12,7 +12,7 @@ endfunction()
 # stands for all of them.
 function(kiri_read_table file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-  file(STRINGS ${file} rows REGEX "^\\| `[a-z_/]+` +\\|")
+  file(STRINGS ${file} rows REGEX "^\\| `[a-z_/]+` *\\|[^|]*\\|[^|]*\\|[^|]*\\|$")
   set(layers)
   foreach(row IN LISTS rows)
     string(REGEX REPLACE "^\\| `([a-z_/]+)` *\\|([^|]*)\\|([^|]*)\\|.*$" "\\1;\\2;\\3" cells "${row}")
