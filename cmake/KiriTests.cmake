@@ -5,6 +5,10 @@ find_package(GTest)
 find_package(rapidcheck QUIET)
 find_library(GMP_LIBRARY gmp)
 find_library(MPFR_LIBRARY mpfr)
+# Debian's own interpreter first: the packages of tools/packages.txt are installed for it.
+if(EXISTS /usr/bin/python3 AND NOT DEFINED Python3_EXECUTABLE)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
 find_package(Python3 3.9 COMPONENTS Interpreter)
 include(GoogleTest)
 
@@ -149,6 +153,17 @@ function(kiri_tests_of_the_house)
   add_test(NAME architecture.headers_stand_alone
            COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target all_verify_interface_header_sets)
   set_tests_properties(architecture.headers_stand_alone PROPERTIES LABELS house RUN_SERIAL ON)
+
+  find_program(CLANG_FORMAT clang-format)
+  if(CLANG_FORMAT)
+    add_test(NAME lint.format COMMAND ${PROJECT_SOURCE_DIR}/tools/check_format.sh)
+    set_tests_properties(lint.format PROPERTIES LABELS lint)
+  endif()
+  find_program(CLANG_TIDY clang-tidy)
+  if(CLANG_TIDY)
+    add_test(NAME lint.tidy COMMAND ${PROJECT_SOURCE_DIR}/tools/check_tidy.sh ${CMAKE_BINARY_DIR})
+    set_tests_properties(lint.tidy PROPERTIES LABELS lint PROCESSORS 2 TIMEOUT 1200)
+  endif()
 endfunction()
 
 if(GTest_FOUND)
