@@ -1,0 +1,107 @@
+// Reading .kiri model files (docs/formats/kiri.md).
+// SPDX-License-Identifier: MIT
+#include "io/kiri_reader.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "io/json_fields.h"
+#include "io/sheet_json.h"
+#include "io/steps_json.h"
+
+namespace kiri {
+
+namespace {
+
+/// Reads "format" and "version". Says whether it makes sense to read on.
+bool readHeader(Fields& fields) {
+  const Field& top = fields.object();
+  Findings& findings = top.findings();
+  if (const std::optional<Field> format =
+          fields.require("format", "a model file starts with \"format\": \"kiri\", \"version\": " +
+                                       std::to_string(kKiriVersion))) {
+    if (format->text() != "kiri") format->isNot("\"kiri\"; this is another kind of file");
+  }
+  if (!findings.isGood()) return false;
+  if (const std::optional<Field> version =
+          fields.require("version", "write \"version\": " + std::to_string(kKiriVersion))) {
+    const double number = version->number({1, kLargestLength, false});
+    if (std::floor(number) != number) version->isNot("a whole number");
+    if (number > kKiriVersion) {
+      version->mistake("is " + version->json().text +
+                       ", but this program knows the format up to version " +
+                       std::to_string(kKiriVersion) + "; use a newer program");
+    }
+  }
+  return findings.isGood();
+}
+
+/// The name of the fold line that a step makes; empty when it makes none.
+std::string foldNameOf(const Step& step, std::size_t number) {
+  const auto* fold = std::get_if<FoldStep>(&step.action);
+  if (fold == nullptr) return "";
+  return fold->name.empty() ? "fold " + std::to_string(number) : fold->name;
+}
+
+void readSteps(const Field& field, Model& model) {
+  if (!field.isArray()) {
+    field.isNot("a list of steps [{\"do\": ...}, ...]");
+    return;
+  }
+  std::map<std::string, std::size_t> names;
+  model.steps.reserve(field.size());
+  for (std::size_t i = 0; i < field.size() && field.findings().isGood(); ++i) {
+    const Field item(field.item(i).json(), "", field.findings());
+    model.steps.push_back(readStep(item, i + 1));
+    const std::string name = foldNameOf(model.steps.back(), i + 1);
+    if (name.empty()) continue;
+    const auto [entry, isNew] = names.emplace(name, i + 1);
+    if (!isNew) {
+      field.findings().mistake(item.json(), "step " + std::to_string(entry->second) +
+                                                " has a fold named " + jsonString(name) +
+                                                " already; give one of the two another name");
+    }
+  }
+}
+
+}  // namespace
+
+Result<LoadedModel> readKiri(std::string_view text, std::string_view fileName) {
+  const Result<JsonValue> json = parseJson(text, fileName);
+  if (!json.isOk()) return json.error();
+
+  Findings findings{std::string(fileName)};
+  const Field top(*json, "", findings);
+  if (!top.isObject()) {
+    findings.mistake(*json, "a model file is one JSON object { \"format\": \"kiri\", ... }");
+    return *findings.error();
+  }
+  Fields fields(top);
+  LoadedModel loaded;
+  Model& model = loaded.model;
+  if (!readHeader(fields)) return *findings.error();
+  model.title = fields.text("title");
+  model.notes = fields.text("notes");
+  const std::optional<Field> sheet =
+      fields.require("sheet", "the paper, such as {\"shape\": \"square\", \"side\": 150}");
+  if (const std::optional<Field> paper = fields.find("paper")) readPaper(*paper, model);
+  const std::optional<Field> steps =
+      fields.require("steps", "the list of steps, [] when there are none");
+  fields.finish();
+  model.unknown = findings.takeUnknown();
+  if (sheet && findings.isGood()) {
+    findings.enter("sheet");
+    model.sheet = readSheet(Field(sheet->json(), "", findings));
+  }
+  if (steps && findings.isGood()) {
+    findings.enter("");
+    readSteps(*steps, model);
+  }
+  if (!findings.isGood()) return *findings.error();
+  loaded.warnings = findings.warnings();
+  return loaded;
+}
+
+}  // namespace kiri
