@@ -6,7 +6,8 @@
 
 namespace kiri {
 
-/// An orthographic view: three orthonormal axes of the model frame, right-handed (right x up = toEye).
+/// An orthographic view: three orthonormal axes of the model frame, right-handed (right x up =
+/// toEye).
 struct ViewFrame {
   Vec3 right{1, 0, 0};
   Vec3 up{0, 1, 0};

@@ -14,12 +14,14 @@ namespace kiri {
 
 /// A piece of the boundary of a visible part, with the visible part on its left.
 struct BoundaryPiece {
-  Arc arc;         ///< view coordinates, mm; a part of a curved edge is an exact cubic
-  FacetId facet;   ///< whose edge this is: the facet itself, or one that lies over it (or ends below it)
-  EdgeId edge;     ///< the edge; none where two facets pass through each other
-  double from = 0;  ///< parameter on the edge, in the edge's own direction, at the start of the piece
-  double to = 0;    ///< and at its end; less than `from` when the piece runs backwards
-  FacetId beyond;   ///< the facet seen on the other side; none on the silhouette
+  Arc arc;  ///< view coordinates, mm; a part of a curved edge is an exact cubic
+  FacetId
+      facet;  ///< whose edge this is: the facet itself, or one that lies over it (or ends below it)
+  EdgeId edge;  ///< the edge; none where two facets pass through each other
+  double from =
+      0;          ///< parameter on the edge, in the edge's own direction, at the start of the piece
+  double to = 0;  ///< and at its end; less than `from` when the piece runs backwards
+  FacetId beyond;  ///< the facet seen on the other side; none on the silhouette
 
   bool isSilhouette() const { return !beyond.isValid(); }
 };
@@ -32,17 +34,17 @@ struct VisibleFacet {
   std::vector<std::vector<BoundaryPiece>> loops;
 };
 
-/// Everything that is seen, ordered by facet. The parts are disjoint and cover the silhouette; neighbours share
-/// whole pieces, so that there are no T-junctions: each piece but those of the silhouette occurs once more,
-/// backwards, in the facet `beyond`.
+/// Everything that is seen, ordered by facet. The parts are disjoint and cover the silhouette;
+/// neighbours share whole pieces, so that there are no T-junctions: each piece but those of the
+/// silhouette occurs once more, backwards, in the facet `beyond`.
 struct VisibleRegions {
   std::vector<VisibleFacet> facets;
 };
 
-/// What is seen of `state` from the direction of `view`. Within one plane the layer order decides, between planes
-/// the depth at each place. Facets seen edge-on have no visible part. Places nearer than tolerance.match() are one.
-/// Cost: near-linear in the number of facets and of visible pieces for stacks; only facets that can be seen take
-/// part in the exact step.
+/// What is seen of `state` from the direction of `view`. Within one plane the layer order decides,
+/// between planes the depth at each place. Facets seen edge-on have no visible part. Places nearer
+/// than tolerance.match() are one. Cost: near-linear in the number of facets and of visible pieces
+/// for stacks; only facets that can be seen take part in the exact step.
 VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view);
 
 /// Area of a visible part, mm^2 in the view.

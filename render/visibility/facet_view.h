@@ -1,0 +1,68 @@
+// One facet as it lies in the view.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/geometry/cubic.h"
+#include "core/geometry/region.h"
+#include "core/paper/folded_state.h"
+#include "render/visibility/view_frame.h"
+
+namespace kiri {
+
+/// A facet in view coordinates. Arcs run with the paper on their left, whichever side of it is
+/// seen.
+struct FacetView {
+  FacetId id;
+  bool showsFront = true;
+  bool isConvex = false;   ///< one convex loop of straight arcs
+  std::uint32_t set = 0;   ///< its layer-set
+  std::uint32_t rank = 0;  ///< place in its set as seen from the eye, 0 at the bottom
+  std::vector<Arc> arcs;
+  std::vector<EdgeUse> uses;              ///< where each arc comes from
+  std::vector<std::uint32_t> loopStarts;  ///< first arc of each loop
+  Box box;
+  double depth0 = 0;  ///< depth at (x, y) is depth0 + dot(slope, (x, y))
+  Vec2 slope;
+
+  double depthAt(Vec2 p) const { return depth0 + dot(slope, p); }
+  Region region() const;
+};
+
+/// The facets of a state in one view, and which of them lies over which. Keeps references to the
+/// state.
+class FacetViews {
+ public:
+  FacetViews(const FoldedState& state, const ViewFrame& view);
+
+  /// All facets that are not seen edge-on, by layer-set, nearest set first, and in it from the top
+  /// down.
+  const std::vector<FacetView>& all() const { return views_; }
+  const Tolerance& tolerance() const { return state_.tolerance(); }
+
+  /// True when `a` hides `b` at `p` and a little towards `side` of it, both being there.
+  bool isOver(const FacetView& a, const FacetView& b, Vec2 p, Vec2 side) const;
+  /// How far the depths of two planes may differ where they touch.
+  double depthTolerance(const FacetView& a, const FacetView& b) const;
+  /// The facets that lie over facet `number` against the order of the list of their set; numbers
+  /// are places in all().
+  std::vector<std::uint32_t> exceptionsOver(std::uint32_t number) const;
+
+ private:
+  void add(FacetId facet, const ViewFrame& view, std::uint32_t rank);
+  void collectExceptions();
+  bool isOverInSet(const FacetView& a, const FacetView& b) const;
+
+  const FoldedState& state_;
+  std::vector<FacetView> views_;
+  std::vector<bool> hasExceptions_;  ///< for each set
+  std::vector<bool> isFlipped_;      ///< for each set: its normal points away from the eye
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      exceptions_;  ///< (lower, upper) as seen, sorted
+};
+
+}  // namespace kiri
