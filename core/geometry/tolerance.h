@@ -31,6 +31,9 @@ class Tolerance {
 
 /// Directions whose sine differs by less are parallel; parameters of curves nearer than this are equal.
 inline constexpr double kParallel = 1e-9;
+/// Unit normals whose cross product is shorter than this belong to parallel planes; wider than kParallel, for poses
+/// carry rounding.
+inline constexpr double kSamePlane = 1e-8;
 /// Fold angles nearer than this, in degrees, are equal.
 inline constexpr double kSameAngle = 1e-9;
 /// Below this a leading coefficient counts as zero beside the others: the polynomial has a lower degree.
