@@ -7,8 +7,8 @@
 
 namespace kiri {
 
-/// Thrown by KIRI_CHECK: a defect of the program, never of the input. Applications catch it at the top,
-/// save the model and report it.
+/// Thrown by KIRI_CHECK: a defect of the program, never of the input. Applications catch it at the
+/// top, save the model and report it.
 class CheckFailed : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -21,7 +21,7 @@ class CheckFailed : public std::logic_error {
 }  // namespace kiri
 
 /// Reports a defect of the program unless `condition` holds; `claim` says what must hold.
-#define KIRI_CHECK(condition, claim) \
-  do {                               \
+#define KIRI_CHECK(condition, claim)                                \
+  do {                                                              \
     if (!(condition)) ::kiri::failCheck(claim, __FILE__, __LINE__); \
   } while (false)

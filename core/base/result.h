@@ -32,13 +32,13 @@ enum class ErrorCode {
 
 /// Where an error is seen on the sheet, for an interface to point at.
 struct Witness {
-  std::vector<Vec2> points;                      ///< paper frame, mm
-  std::vector<std::pair<Vec2, Vec2>> segments;   ///< hinges or lines, paper frame, mm
-  std::vector<Vec2> facets;                      ///< one interior point for each facet concerned
+  std::vector<Vec2> points;                     ///< paper frame, mm
+  std::vector<std::pair<Vec2, Vec2>> segments;  ///< hinges or lines, paper frame, mm
+  std::vector<Vec2> facets;                     ///< one interior point for each facet concerned
 };
 
-/// The user's or the file's mistake. `message` is one sentence without a full stop that names the place
-/// and the remedy.
+/// The user's or the file's mistake. `message` is one sentence without a full stop that names the
+/// place and the remedy.
 struct Error {
   ErrorCode code = ErrorCode::BadValue;
   std::string message;

@@ -8,12 +8,14 @@
 
 namespace kiri {
 
-/// The next state, or what is wrong and where. `number` is the step's place in the model, from 1; it names the
-/// fold line of a fold without a name and is noted in collisions. The state is not changed.
+/// The next state, or what is wrong and where. `number` is the step's place in the model, from 1;
+/// it names the fold line of a fold without a name and is noted in collisions. The state is not
+/// changed.
 Result<FoldedState> apply(const FoldedState& state, const Step& step, int number);
 
-/// The same step with every choice that hung on how the model lies written down as places on the paper: the line
-/// in the frame of a named facet, the layers and the moving side as points. Applying it gives the same state.
+/// The same step with every choice that hung on how the model lies written down as places on the
+/// paper: the line in the frame of a named facet, the layers and the moving side as points.
+/// Applying it gives the same state.
 Result<Step> resolve(const FoldedState& state, const Step& step, int number);
 
 }  // namespace kiri

@@ -34,7 +34,7 @@ struct SheetSpec {
   double height = 150;  ///< rectangle only
   std::vector<Vec2> outline;             ///< polygon only
   std::vector<std::vector<Vec2>> holes;  ///< polygon only
-  std::string unknown;  ///< fields that the reader did not know, as JSON text
+  std::string unknown;                   ///< fields that the reader did not know, as JSON text
 };
 
 struct Model {

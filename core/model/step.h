@@ -1,5 +1,5 @@
-// The steps that a model is made of. Steps name places on the paper, never indices (DESIGN section 2).
-// SPDX-License-Identifier: MIT
+// The steps that a model is made of. Steps name places on the paper, never indices (DESIGN section
+// 2). SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@ namespace kiri {
 /// In which frame a place was given.
 enum class Frame {
   Paper,  ///< paper frame, mm: a place on the sheet at rest
-  Model,  ///< as drawn on the folded model as it lies: x and y of the model frame, seen from the front
+  Model,  ///< as drawn on the folded model as it lies: x and y of the model frame, seen from the
+          ///< front
 };
 
 /// A place in one of the two frames. In the model frame it means the topmost paper there.
@@ -24,8 +25,8 @@ struct Place {
   Vec2 point;
 };
 
-/// A directed segment. In the paper frame its ends are in the frame of one facet (and may lie beyond it): the
-/// facet that holds `facet`, by default the one under the segment's middle.
+/// A directed segment. In the paper frame its ends are in the frame of one facet (and may lie
+/// beyond it): the facet that holds `facet`, by default the one under the segment's middle.
 struct DrawnLine {
   Frame frame = Frame::Paper;
   Vec2 from;
@@ -56,7 +57,8 @@ struct MovingFacets {
 };
 using MovingSide = std::variant<Hand, MovingPoint, MovingFacets>;
 
-/// Seen on the model as it lies: a valley turns the moving side towards the viewer, a mountain away.
+/// Seen on the model as it lies: a valley turns the moving side towards the viewer, a mountain
+/// away.
 enum class FoldType { Valley, Mountain };
 
 struct FoldStep {
@@ -78,8 +80,10 @@ struct AngleStep {
 
 /// How several fold lines move.
 enum class Sequence {
-  InOrder,   ///< one after the other: unfold from the last named to the first, refold from first to last
-  Together,  ///< at once, as leaves do (thesis 4.5 B17); the order in which they come to lie is found
+  InOrder,   ///< one after the other: unfold from the last named to the first, refold from first to
+             ///< last
+  Together,  ///< at once, as leaves do (thesis 4.5 B17); the order in which they come to lie is
+             ///< found
 };
 
 struct UnfoldStep {
@@ -113,8 +117,9 @@ struct AddEdgeStep {
   LayerChoice layers = AllLayers{};
 };
 
-/// Which paper stays after a cut. No places: all of it stays. A place in the model frame keeps what lies on its
-/// side of the cut, in all layers; a place on the paper keeps the connected piece that holds it.
+/// Which paper stays after a cut. No places: all of it stays. A place in the model frame keeps what
+/// lies on its side of the cut, in all layers; a place on the paper keeps the connected piece that
+/// holds it.
 struct Keep {
   std::vector<Place> places;
 };
@@ -128,7 +133,8 @@ struct StraightCutStep {
 struct CurveCutStep {
   Frame frame = Frame::Model;
   std::vector<Vec2> controls;
-  std::optional<Vec2> facet;  ///< paper frame: whose frame the controls are in; by default the one they start on
+  std::optional<Vec2>
+      facet;  ///< paper frame: whose frame the controls are in; by default the one they start on
   bool isClosed = false;
   SplineEnds ends = SplineEnds::Clamped;
   LayerChoice layers = AllLayers{};
@@ -141,7 +147,8 @@ struct TurnOverStep {
   TurnAxis axis = TurnAxis::Vertical;
 };
 
-/// Turns the model in its plane, counter-clockwise, about a point of the model frame (default: middle of its box).
+/// Turns the model in its plane, counter-clockwise, about a point of the model frame (default:
+/// middle of its box).
 struct RotateStep {
   double degrees = 0;
   std::optional<Vec2> about;
@@ -151,8 +158,9 @@ struct MoveStep {
   Vec2 by;  ///< mm
 };
 
-using Action = std::variant<FoldStep, AngleStep, UnfoldStep, RefoldStep, TearStep, MendStep, AddEdgeStep,
-                            StraightCutStep, CurveCutStep, TurnOverStep, RotateStep, MoveStep>;
+using Action =
+    std::variant<FoldStep, AngleStep, UnfoldStep, RefoldStep, TearStep, MendStep, AddEdgeStep,
+                 StraightCutStep, CurveCutStep, TurnOverStep, RotateStep, MoveStep>;
 
 /// One operation in a model's history.
 struct Step {

@@ -12,13 +12,14 @@
 
 namespace kiri {
 
-/// The facets of one plane of the model. The relation is meant for pairs that overlap; for other pairs it is
-/// only a listing. A stack is stored as a list; what no list can say (cyclic overlap, thesis Fig 5.11) is
-/// stored as exceptions to it.
+/// The facets of one plane of the model. The relation is meant for pairs that overlap; for other
+/// pairs it is only a listing. A stack is stored as a list; what no list can say (cyclic overlap,
+/// thesis Fig 5.11) is stored as exceptions to it.
 struct LayerSet {
-  Vec3 normal;                   ///< unit normal of the plane, model frame; "up" for this set
-  std::vector<FacetId> upward;   ///< bottom to top along `normal`
-  std::set<std::pair<FacetId, FacetId>> exceptions;  ///< (upper, lower) pairs that the list has the wrong way round
+  Vec3 normal;                  ///< unit normal of the plane, model frame; "up" for this set
+  std::vector<FacetId> upward;  ///< bottom to top along `normal`
+  std::set<std::pair<FacetId, FacetId>>
+      exceptions;  ///< (upper, lower) pairs that the list has the wrong way round
 };
 
 /// The layer order of a whole state: every facet is in exactly one set.

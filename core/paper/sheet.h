@@ -26,7 +26,9 @@ Result<Sheet> squareSheet(double side);
 /// A disc; its border is 32 cubic pieces that stay within 1e-9 of the radius of the true circle.
 Result<Sheet> discSheet(double radius);
 /// A simple polygon with holes; loops in either direction, they are turned as a region needs them.
-/// Errors: BadValue - fewer than three corners, crossing or touching sides, a hole outside, no area.
-Result<Sheet> polygonSheet(const std::vector<Vec2>& outline, const std::vector<std::vector<Vec2>>& holes = {});
+/// Errors: BadValue - fewer than three corners, crossing or touching sides, a hole outside, no
+/// area.
+Result<Sheet> polygonSheet(const std::vector<Vec2>& outline,
+                           const std::vector<std::vector<Vec2>>& holes = {});
 
 }  // namespace kiri

@@ -1,0 +1,16 @@
+// Numbers and places as they stand in sentences.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "core/base/vec.h"
+
+namespace kiri {
+
+/// A number with at most six significant digits: "52.1".
+std::string text(double number);
+/// A place: "(52.1, 80)". The sentence adds the unit.
+std::string text(Vec2 point);
+
+}  // namespace kiri

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "core/cut/tear.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/cut/rests.h"
+#include "core/layers/topmost.h"
+#include "core/paper/pattern_edit.h"
+
+namespace kiri {
+namespace {
+
+/// The part of an edge, as parameters in its own direction, that lies along one segment of the
+/// path.
+struct Stretch {
+  EdgeId edge;
+  double t0 = 0;
+  double t1 = 1;
+  double from = 0;  ///< along the path's segment, mm
+  double to = 0;
+};
+
+/// Where the two ends of an edge are seen.
+using Ends = std::pair<Vec3, Vec3>;
+
+Ends endsOf(const FoldedState& state, const Edge& edge, bool onPaper, bool isSeenFlat) {
+  const Vec2 a = state.pattern[edge.from];
+  const Vec2 b = state.pattern[edge.to];
+  if (onPaper) return {{a.x, a.y, 0}, {b.x, b.y, 0}};
+  const Rigid& pose = state.poseOf(edge.left);
+  Ends ends{pose.apply(a), pose.apply(b)};
+  if (isSeenFlat) {
+    ends.first.z = 0;
+    ends.second.z = 0;
+  }
+  return ends;
+}
+
+/// The part of an edge that lies along the segment from p to q, if any.
+std::optional<Stretch> stretchAlong(EdgeId id, const Ends& ends, Vec3 p, Vec3 q,
+                                    const Tolerance& tolerance) {
+  const double span = distance(p, q);
+  const Vec3 along = (q - p) / span;
+  const auto away = [&](Vec3 r) { return length(cross(along, r - p)); };
+  if (away(ends.first) > tolerance.match() || away(ends.second) > tolerance.match())
+    return std::nullopt;
+  const double s = dot(ends.first - p, along);
+  const double t = dot(ends.second - p, along);
+  const double low = std::max(0.0, std::min(s, t));
+  const double high = std::min(span, std::max(s, t));
+  if (high - low <= tolerance.match()) return std::nullopt;
+  const auto parameter = [&](double at) { return std::clamp((at - s) / (t - s), 0.0, 1.0); };
+  const double u = parameter(low);
+  const double v = parameter(high);
+  return Stretch{id, std::min(u, v), std::max(u, v), low, high};
+}
+
+class EdgeFinder {
+ public:
+  EdgeFinder(const FoldedState& state, EdgeKind kind, const EdgeChoice& choice)
+      : state_(state), kind_(kind), choice_(choice) {}
+
+  /// Stretches along one segment of the path, after the choice of layers; each edge at most once.
+  std::vector<Stretch> along(Vec2 p, Vec2 q, bool isOnPaper) const {
+    std::vector<Stretch> found = search({p.x, p.y, 0}, {q.x, q.y, 0}, isOnPaper, true);
+    const bool meansAll = !choice_.top && !choice_.ofFacets;
+    if (isOnPaper && (meansAll || choice_.top)) found = withOtherLayers(found);
+    return chosen(std::move(found));
+  }
+
+ private:
+  std::vector<Stretch> search(Vec3 p, Vec3 q, bool onPaper, bool seenFlat) const {
+    std::vector<Stretch> found;
+    for (std::size_t e = 0; e < state_.pattern.edges.size(); ++e) {
+      const Edge& edge = state_.pattern.edges[e];
+      if (edge.kind != kind_) continue;
+      const auto stretch = stretchAlong(EdgeId(e), endsOf(state_, edge, onPaper, seenFlat), p, q,
+                                        state_.tolerance());
+      if (stretch) found.push_back(*stretch);
+    }
+    return found;
+  }
+
+  /// The edges of other layers that lie where these lie in the model.
+  std::vector<Stretch> withOtherLayers(const std::vector<Stretch>& first) const {
+    std::vector<Stretch> all = first;
+    for (const Stretch& stretch : first) {
+      const auto [a, b] = endsOf(state_, state_.pattern[stretch.edge], false, false);
+      const Vec3 p = a + (b - a) * stretch.t0;
+      const Vec3 q = a + (b - a) * stretch.t1;
+      for (Stretch other : search(p, q, false, false)) {
+        const bool isKnown = std::any_of(all.begin(), all.end(),
+                                         [&](const Stretch& s) { return s.edge == other.edge; });
+        if (isKnown) continue;
+        other.from += stretch.from;
+        other.to += stretch.from;
+        all.push_back(other);
+      }
+    }
+    return all;
+  }
+
+  double heightOf(EdgeId id) const {
+    const Edge& edge = state_.pattern[id];
+    double height = 0;
+    for (const FacetId f : {edge.left, edge.right}) {
+      const LayerSet& set = state_.layers.sets()[state_.layers.setOf(f)];
+      const double rank = state_.layers.rankOf(f);
+      height = std::max(
+          height, set.normal.z < 0 ? static_cast<double>(set.upward.size()) - 1 - rank : rank);
+    }
+    return height;
+  }
+
+  std::vector<Stretch> chosen(std::vector<Stretch> found) const {
+    std::vector<Stretch> result;
+    if (choice_.ofFacets) {
+      const auto& facets = *choice_.ofFacets;
+      const auto isMeant = [&](FacetId f) {
+        return std::find(facets.begin(), facets.end(), f) != facets.end();
+      };
+      for (const Stretch& s : found) {
+        const Edge& edge = state_.pattern[s.edge];
+        if (isMeant(edge.left) || isMeant(edge.right)) result.push_back(s);
+      }
+      return result;
+    }
+    if (!choice_.top) return found;
+    std::vector<Cover> covers;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      covers.push_back({i, found[i].from, found[i].to, heightOf(found[i].edge)});
+    }
+    for (const std::size_t i : topmost(covers, *choice_.top, state_.tolerance().match()))
+      result.push_back(found[i]);
+    return result;
+  }
+
+  const FoldedState& state_;
+  EdgeKind kind_;
+  const EdgeChoice& choice_;
+};
+
+/// The edge that is just the stretch: divides the edge where the stretch starts or ends between its
+/// ends.
+EdgeId isolate(CreasePattern& pattern, const Stretch& stretch) {
+  const double span =
+      distance(pattern[pattern[stretch.edge].from], pattern[pattern[stretch.edge].to]);
+  const double tol = pattern.tolerance.match();
+  EdgeId id = stretch.edge;
+  if ((1 - stretch.t1) * span > tol) splitEdge(pattern, id, stretch.t1);
+  if (stretch.t0 * span > tol) {
+    const double end = (1 - stretch.t1) * span > tol ? stretch.t1 : 1;
+    splitEdge(pattern, id, stretch.t0 / end);
+    id = EdgeId(pattern.edges.size() - 1);
+  }
+  return id;
+}
+
+/// The angle of a hinge that joins its facets as they lie.
+double angleBetween(const FoldedState& state, const Edge& edge) {
+  const Rigid& left = state.poseOf(edge.left);
+  const Vec3 normal = state.poseOf(edge.right).normal();
+  const Vec2 u = normalized(state.pattern[edge.to] - state.pattern[edge.from]);
+  const double c = dot(normal, left.normal());
+  const double s = -dot(normal, left.direction(-perpendicular(u)));
+  if (c < 0 && std::abs(s) <= kSamePlane) {
+    const LayerSet& set = state.layers.sets()[state.layers.setOf(edge.left)];
+    const bool rightIsAbove = state.layers.isAbove(edge.right, edge.left);
+    const bool leftFrontIsUp = dot(left.normal(), set.normal) > 0;
+    return rightIsAbove == leftFrontIsUp ? 180 : -180;
+  }
+  if (c > 0 && std::abs(s) <= kSamePlane) return 0;
+  return angleDegrees(c, s);
+}
+
+Error noEdge(EdgeKind kind, Vec2 p, Vec2 q) {
+  const std::string what = kind == EdgeKind::Hinge ? "no crease or edge lies" : "no torn edge lies";
+  const std::string remedy =
+      kind == EdgeKind::Hinge ? "; add an edge there first" : "; nothing is to be mended there";
+  return {ErrorCode::NothingToDo,
+          what + " along the path from " + text(p) + " to " + text(q) + " mm in the chosen layers" +
+              remedy,
+          {{p, q}, {{p, q}}, {}}};
+}
+
+bool doSidesLieTogether(const FoldedState& state, const Edge& edge) {
+  const auto gap = [&](VertexId v) {
+    const Vec2 p = state.pattern[v];
+    return distance(state.poseOf(edge.left).apply(p), state.poseOf(edge.right).apply(p));
+  };
+  const double tol = state.tolerance().match();
+  return gap(edge.from) <= tol && gap(edge.to) <= tol;
+}
+
+/// The edges of the kind along the path, each divided to just that stretch.
+Result<std::vector<EdgeId>> takeEdges(FoldedState& state, EdgeKind kind, const EdgePath& path,
+                                      const EdgeChoice& choice) {
+  std::vector<EdgeId> edges;
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    const Vec2 p = path.points[i];
+    const Vec2 q = path.points[i + 1];
+    const std::vector<Stretch> stretches =
+        EdgeFinder(state, kind, choice).along(p, q, path.isOnPaper);
+    if (stretches.empty()) return noEdge(kind, p, q);
+    for (const Stretch& stretch : stretches) edges.push_back(isolate(state.pattern, stretch));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+Error apart(const FoldedState& state, const Edge& edge) {
+  const Vec2 a = state.pattern[edge.from];
+  const Vec2 b = state.pattern[edge.to];
+  return {ErrorCode::CannotMend,
+          "the torn edge from " + text(a) + " to " + text(b) +
+              " mm cannot be mended: its two sides have moved apart; fold or unfold them back "
+              "together first",
+          {{a, b}, {{a, b}}, {}}};
+}
+
+}  // namespace
+
+Result<FoldedState> tear(const FoldedState& state, const EdgePath& path, const EdgeChoice& choice) {
+  FoldedState next = state;
+  const Result<std::vector<EdgeId>> edges = takeEdges(next, EdgeKind::Hinge, path, choice);
+  if (!edges) return edges.error();
+  for (const EdgeId id : *edges) next.pattern[id].kind = EdgeKind::Tear;
+  renewRests(next);
+  return next;
+}
+
+Result<FoldedState> mend(const FoldedState& state, const EdgePath& path, const EdgeChoice& choice) {
+  FoldedState next = state;
+  std::vector<EdgeId> edges;
+  const bool meansAll = path.points.empty();
+  if (meansAll) {
+    for (std::size_t e = 0; e < next.pattern.edges.size(); ++e) {
+      const Edge& edge = next.pattern.edges[e];
+      if (edge.kind == EdgeKind::Tear && doSidesLieTogether(next, edge)) edges.push_back(EdgeId(e));
+    }
+    if (edges.empty()) {
+      return Error{ErrorCode::NothingToDo,
+                   "there is no torn edge whose two sides lie together, so nothing can be mended",
+                   {}};
+    }
+  } else {
+    Result<std::vector<EdgeId>> found = takeEdges(next, EdgeKind::Tear, path, choice);
+    if (!found) return found.error();
+    edges = std::move(*found);
+  }
+  for (const EdgeId id : edges) {
+    Edge& edge = next.pattern[id];
+    if (!doSidesLieTogether(next, edge)) return apart(next, edge);
+    edge.angle = angleBetween(next, edge);
+    edge.kind = EdgeKind::Hinge;
+  }
+  renewRests(next);
+  return next;
+}
+
+}  // namespace kiri

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "core/fold/rotate.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/text.h"
+
+namespace kiri {
+namespace {
+
+/// Angles that ought to be 0, 90 or 180 are: sums of user angles carry rounding.
+double tidied(double degrees) {
+  const double step = 90 * std::round(degrees / 90);
+  return std::abs(degrees - step) <= kSameAngle ? step : degrees;
+}
+
+const char* nameOf(CollisionMoment moment) {
+  switch (moment) {
+    case CollisionMoment::Start:
+      return "as the motion begins, the paper at %s mm lies on the wrong side of the "
+             "paper at %s mm and would pass through it; unfold what holds it first, or "
+             "fold the other way";
+    case CollisionMoment::End:
+      return "as the motion ends, the paper at %s mm arrives on both sides of the paper at "
+             "%s mm; fold fewer layers, or tear here";
+    case CollisionMoment::Hinge:
+      return "the crease between the paper at %s mm and at %s mm would turn past 180 "
+             "degrees, through itself; unfold it first";
+  }
+  return "";
+}
+
+Collision describe(const CreasePattern& pattern, const Contact& contact) {
+  Collision c;
+  c.moment = contact.moment;
+  c.moving = interiorPointOf(pattern, contact.moving);
+  c.fixed = interiorPointOf(pattern, contact.fixed);
+  char buffer[400];
+  std::snprintf(buffer, sizeof buffer, nameOf(contact.moment), text(c.moving).c_str(),
+                text(c.fixed).c_str());
+  c.message = buffer;
+  return c;
+}
+
+/// Turns the hinges between moving and resting facets; tells which would turn through themselves.
+std::vector<Contact> turnHinges(FoldedState& state, const std::vector<bool>& moves,
+                                const Motion& motion) {
+  std::vector<Contact> contacts;
+  for (Edge& edge : state.pattern.edges) {
+    if (edge.kind != EdgeKind::Hinge) continue;
+    const bool leftMoves = moves[edge.left.index];
+    if (leftMoves == moves[edge.right.index]) continue;
+    double angle = tidied(edge.angle + turnSign(state, edge, motion, leftMoves) * motion.degrees);
+    if (std::abs(angle) > 180) {
+      angle = tidied(angle > 0 ? angle - 360 : angle + 360);
+      if (contacts.size() < kMostContacts) {
+        contacts.push_back({CollisionMoment::Hinge, leftMoves ? edge.left : edge.right,
+                            leftMoves ? edge.right : edge.left});
+      }
+    }
+    edge.angle = angle;
+  }
+  return contacts;
+}
+
+}  // namespace
+
+int turnSign(const FoldedState& state, const Edge& edge, const Motion& motion, bool leftMoves) {
+  const Vec2 along = state.pattern[edge.to] - state.pattern[edge.from];
+  const bool sameWay = dot(state.poseOf(edge.left).direction(along), motion.axis) > 0;
+  return sameWay == leftMoves ? 1 : -1;
+}
+
+FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Motion& motion) {
+  if (motion.degrees == 0) return state;
+  FoldedState after = state;
+  std::vector<Contact> contacts = turnHinges(after, moves, motion);
+  const Rigid rotation = rotationAbout(motion.point, motion.axis, motion.degrees);
+  for (Rest& rest : after.rests) {
+    if (moves[rest.facet.index]) rest.pose = compose(rotation, rest.pose);
+  }
+  after.poses = derivePoses(after.pattern, after.rests);
+  Relayered relayered = relayer(state, moves, motion, after.poses);
+  after.layers = std::move(relayered.order);
+  contacts.insert(contacts.end(), relayered.contacts.begin(), relayered.contacts.end());
+  for (const Contact& contact : contacts)
+    after.collisions.push_back(describe(after.pattern, contact));
+  return after;
+}
+
+FoldedState placed(FoldedState state, const Rigid& motion) {
+  for (Rest& rest : state.rests) rest.pose = compose(motion, rest.pose);
+  state.poses = derivePoses(state.pattern, state.rests);
+  std::vector<LayerSet> sets = state.layers.sets();
+  for (LayerSet& set : sets) set.normal = motion.direction(set.normal);
+  state.layers = LayerOrder(std::move(sets));
+  return state;
+}
+
+}  // namespace kiri

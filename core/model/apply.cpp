@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "core/model/apply.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/cut/add_edge.h"
+#include "core/fold/fold_line.h"
+#include "core/fold/rotate.h"
+#include "core/model/requests.h"
+
+namespace kiri {
+namespace {
+
+/// Middle of the box of the model, model frame.
+Vec3 middleOf(const FoldedState& state) {
+  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vec3 high = -low;
+  for (const Edge& edge : state.pattern.edges) {
+    for (const FacetId f : {edge.left, edge.right}) {
+      if (!f.isValid()) continue;
+      for (const VertexId v : {edge.from, edge.to}) {
+        const Vec3 p = state.poseOf(f).apply(state.pattern[v]);
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+    }
+  }
+  return (low + high) / 2;
+}
+
+GroupMotion motionOf(Sequence sequence) {
+  return sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InOrder;
+}
+
+/// One function for each kind of step.
+class Applying {
+ public:
+  Applying(const FoldedState& state, int number) : state_(state), number_(number) {}
+
+  Result<FoldedState> operator()(const FoldStep& step) const {
+    const Result<FoldRequest> request = foldRequest(state_, step, number_);
+    if (!request) return request.error();
+    return fold(state_, *request);
+  }
+
+  Result<FoldedState> operator()(const AngleStep& step) const {
+    if (!(step.angle >= -180 && step.angle <= 180)) {
+      return Error{
+          ErrorCode::BadValue,
+          "the angle " + text(step.angle) + " is out of range; give degrees from -180 to 180",
+          {}};
+    }
+    const Result<FoldLineId> line = locateFoldLine(state_, step.line);
+    if (!line) return line.error();
+    return setAmount(state_, *line, step.angle);
+  }
+
+  Result<FoldedState> operator()(const UnfoldStep& step) const {
+    const Result<std::vector<FoldLineId>> lines = lineGroup(state_, step.lines);
+    if (!lines) return lines.error();
+    return unfoldLines(state_, *lines, motionOf(step.sequence));
+  }
+
+  Result<FoldedState> operator()(const RefoldStep& step) const {
+    const Result<std::vector<FoldLineId>> lines = lineGroup(state_, step.lines);
+    if (!lines) return lines.error();
+    return refoldLines(state_, *lines, motionOf(step.sequence));
+  }
+
+  Result<FoldedState> operator()(const TearStep& step) const {
+    if (step.path.points.empty())
+      return Error{ErrorCode::BadValue, "the tear has no path; give two or more points", {}};
+    const Result<EdgeRequest> request = edgeRequest(state_, step.path, step.layers);
+    if (!request) return request.error();
+    return tear(state_, request->path, request->choice);
+  }
+
+  Result<FoldedState> operator()(const MendStep& step) const {
+    const Result<EdgeRequest> request = edgeRequest(state_, step.path, step.layers);
+    if (!request) return request.error();
+    return mend(state_, request->path, request->choice);
+  }
+
+  Result<FoldedState> operator()(const AddEdgeStep& step) const {
+    const Result<FacetLine> line = locateLine(state_, step.line);
+    if (!line) return line.error();
+    const Result<std::vector<FacetId>> layers = locateLayers(state_, step.layers, *line);
+    if (!layers) return layers.error();
+    return addEdge(state_, *line, *layers);
+  }
+
+  Result<FoldedState> operator()(const StraightCutStep& step) const { return cutWith(step); }
+  Result<FoldedState> operator()(const CurveCutStep& step) const { return cutWith(step); }
+
+  Result<FoldedState> operator()(const TurnOverStep& step) const {
+    const Vec3 axis = step.axis == TurnAxis::Vertical ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+    return placed(state_, rotationAbout(middleOf(state_), axis, 180));
+  }
+
+  Result<FoldedState> operator()(const RotateStep& step) const {
+    const Vec3 about = step.about ? Vec3{step.about->x, step.about->y, 0} : middleOf(state_);
+    return placed(state_, rotationAbout(about, {0, 0, 1}, step.degrees));
+  }
+
+  Result<FoldedState> operator()(const MoveStep& step) const {
+    return placed(state_, translation({step.by.x, step.by.y, 0}));
+  }
+
+ private:
+  template <class CutStep>
+  Result<FoldedState> cutWith(const CutStep& step) const {
+    const Result<CutRequest> request = cutRequest(state_, step);
+    if (!request) return request.error();
+    return cut(state_, *request);
+  }
+
+  const FoldedState& state_;
+  int number_;
+};
+
+}  // namespace
+
+Result<FoldedState> apply(const FoldedState& state, const Step& step, int number) {
+  Result<FoldedState> next = std::visit(Applying(state, number), step.action);
+  if (!next) return next;
+  for (std::size_t i = state.collisions.size(); i < next->collisions.size(); ++i) {
+    next->collisions[i].step = static_cast<std::uint32_t>(number);
+  }
+  return next;
+}
+
+}  // namespace kiri
