@@ -39,15 +39,15 @@ CosSin cosSinSmall(double degrees) {
   const double x = turn.high;
   const double rest = turn.low + degrees * kRadianRest;
   const double z = x * x;
-  double sine = 0;    // sin x = x + x * sine
-  double cosine = 0;  // cos x = 1 - z / 2 + z * cosine
+  double sine = 0;    // sin x = x (1 + sine)
+  double cosine = 0;  // cos x = 1 - z / 2 (1 + cosine)
   for (int n = 17; n >= 3; n -= 2) {
     sine = -z / (n * (n - 1)) * (1.0 + sine);
-    cosine = -z / ((n + 1) * n) * ((n == 3 ? -0.5 : 1.0) + cosine);
+    cosine = -z / ((n + 1) * n) * (1.0 + cosine);
   }
   const double half = 0.5 * z;
   const double nearly = 1.0 - half;
-  return {nearly + (((1.0 - nearly) - half) + (z * cosine - x * rest)),
+  return {nearly + (((1.0 - nearly) - half) - (half * cosine + x * rest)),
           x + (x * sine + rest * nearly)};
 }
 
@@ -132,7 +132,7 @@ Rigid rotationAbout(Vec3 point, Vec3 unitAxis, double degrees) {
     r.y = twice * u.y - Vec3{0, 1, 0};
     r.z = twice * u.z - Vec3{0, 0, 1};
   } else {
-    const Vec3 u = unitAxis;
+    const Vec3 u = normalized(unitAxis);  // once more: its rounding would stretch the paper
     const Vec3 v = u * (1 - turn.cos);
     const Vec3 w = u * turn.sin;
     r.x = v * u.x + Vec3{turn.cos, w.z, -w.y};
