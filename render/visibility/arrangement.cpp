@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 #include "render/visibility/grid.h"
@@ -34,12 +33,38 @@ struct Carrier {
   std::uint32_t to = 0;
   std::vector<User> users;
   std::vector<Split> splits;
-  std::uint32_t nextWithSameEnds = kEnd;
 };
 
-std::uint64_t endsKey(std::uint32_t a, std::uint32_t b) {
-  return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
-}
+/// Finds things by the two vertices they end at, in either order, through a list for each vertex.
+/// Lists hang on the later vertex: the earlier one may be the middle of a large fan.
+class EndsIndex {
+ public:
+  /// Calls `matches(thing)` for those that end at both vertices until it says true; gives that
+  /// thing, or kEnd.
+  template <class Ends, class Matches>
+  std::uint32_t find(std::uint32_t a, std::uint32_t b, const Ends& ends,
+                     const Matches& matches) const {
+    const std::uint32_t at = std::max(a, b);
+    std::uint32_t i = at < first_.size() ? first_[at] : kEnd;
+    for (; i != kEnd; i = next_[i]) {
+      const auto [from, to] = ends(i);
+      if (((from == a && to == b) || (from == b && to == a)) && matches(i)) return i;
+    }
+    return kEnd;
+  }
+
+  /// Adds the next thing; things are numbered as they come.
+  void add(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t at = std::max(a, b);
+    if (at >= first_.size()) first_.resize(std::size_t{at} + 1, kEnd);
+    next_.push_back(first_[at]);
+    first_[at] = static_cast<std::uint32_t>(next_.size() - 1);
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;  ///< for each vertex
+  std::vector<std::uint32_t> next_;   ///< for each thing
+};
 
 class Builder {
  public:
@@ -70,7 +95,6 @@ class Builder {
     for (const std::uint32_t f : inSight_) count += views_.all()[f].arcs.size();
     points_.reserve(count);
     carriers_.reserve(count);
-    byEnds_.reserve(count);
     for (const std::uint32_t f : inSight_) {
       const FacetView& view = views_.all()[f];
       for (std::uint32_t a = 0; a < view.arcs.size(); ++a) {
@@ -93,22 +117,21 @@ class Builder {
 
   /// The carrier that runs along `arc` in either direction; a new one when there is none.
   Carrier& addCarrier(const Arc& arc, std::uint32_t from, std::uint32_t to) {
-    const auto number = static_cast<std::uint32_t>(carriers_.size());
-    const auto [it, isNew] = byEnds_.try_emplace(endsKey(from, to), number);
-    if (!isNew) {
-      for (std::uint32_t c = it->second; c != kEnd; c = carriers_[c].nextWithSameEnds) {
-        if (isNear(carriers_[c].arc, carriers_[c].from == from ? arc : reversed(arc)))
-          return carriers_[c];
-      }
-    }
+    const auto ends = [&](std::uint32_t c) {
+      return std::pair{carriers_[c].from, carriers_[c].to};
+    };
+    const auto matches = [&](std::uint32_t c) {
+      return isNear(carriers_[c].arc, carriers_[c].from == from ? arc : reversed(arc));
+    };
+    const std::uint32_t known = carriersByEnds_.find(from, to, ends, matches);
+    if (known != kEnd) return carriers_[known];
+    carriersByEnds_.add(from, to);
     Carrier& made = carriers_.emplace_back();
     made.arc = arc;
     made.arc.start = points_.points()[from];
     made.arc.end = points_.points()[to];
     made.from = from;
     made.to = to;
-    made.nextWithSameEnds = isNew ? kEnd : it->second;
-    it->second = number;
     return made;
   }
 
@@ -199,7 +222,6 @@ class Builder {
 
   void makeSides() {
     out_.sides.reserve(carriers_.size() * 2);
-    byEnds_.clear();
     for (Carrier& carrier : carriers_) {
       std::vector<Split>& splits = carrier.splits;
       splits.push_back({1, carrier.to});
@@ -223,15 +245,15 @@ class Builder {
     Arc arc = carrier.arc.isCurved ? part(carrier.arc, from.t, to.t) : carrier.arc;
     arc.start = points_.points()[from.vertex];
     arc.end = points_.points()[to.vertex];
-    const auto number = static_cast<std::uint32_t>(out_.sides.size());
-    const auto [it, isNew] = byEnds_.try_emplace(endsKey(from.vertex, to.vertex), number);
-    std::uint32_t same = isNew ? kEnd : it->second;
-    while (same != kEnd && !coincide(out_.sides[same].arc, arc)) same = nextSide_[same];
+    const auto ends = [&](std::uint32_t i) {
+      return std::pair{out_.sides[i].from, out_.sides[i].to};
+    };
+    const auto matches = [&](std::uint32_t i) { return coincide(out_.sides[i].arc, arc); };
+    std::uint32_t same = sidesByEnds_.find(from.vertex, to.vertex, ends, matches);
     if (same == kEnd) {
-      same = number;
+      same = static_cast<std::uint32_t>(out_.sides.size());
       out_.sides.push_back({from.vertex, to.vertex, arc, kEnd});
-      nextSide_.push_back(isNew ? kEnd : it->second);
-      it->second = number;
+      sidesByEnds_.add(from.vertex, to.vertex);
     }
     Side& side = out_.sides[same];
     const bool isForward =
@@ -262,8 +284,8 @@ class Builder {
   Tolerance wide_;
   PointIndex points_;
   std::vector<Carrier> carriers_;
-  std::unordered_map<std::uint64_t, std::uint32_t> byEnds_;  ///< looked up, never walked
-  std::vector<std::uint32_t> nextSide_;  ///< for each side: another with the same ends
+  EndsIndex carriersByEnds_;
+  EndsIndex sidesByEnds_;
   Arrangement out_;
 };
 

@@ -14,7 +14,10 @@ constexpr std::uint32_t kNothing = SeenBeside::kNothing;
 class Coverage {
  public:
   Coverage(const FacetViews& views, const std::vector<std::uint32_t>& inSight)
-      : views_(views), eps_(views.tolerance().match()), grid_(makeGrid(views, inSight)) {
+      : views_(views),
+        isPlainStack_(views.isPlainStack()),
+        eps_(views.tolerance().match()),
+        grid_(makeGrid(views, inSight)) {
     hands_.assign(views.all().size(), 0);
     regions_.resize(views.all().size());
     for (const std::uint32_t f : inSight) {
@@ -38,6 +41,7 @@ class Coverage {
       const unsigned hands = hands_[f] != 0 ? hands_[f] : handsInside(f, side.arc, middle, toLeft);
       if (mayBeLeft && (hands & kLeft) != 0) seen.left = f;
       if (mayBeRight && (hands & kRight) != 0) seen.right = f;
+      if (isPlainStack_ && seen.left != kNothing && seen.right != kNothing) break;
     }
     for (std::uint32_t u = side.firstUse; u != SideUse::kEnd; u = map.uses[u].next) {
       hands_[map.uses[u].facet] = 0;
@@ -95,6 +99,7 @@ class Coverage {
   }
 
   const FacetViews& views_;
+  bool isPlainStack_;
   double eps_;
   Grid grid_;
   std::vector<unsigned>

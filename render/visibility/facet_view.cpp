@@ -123,6 +123,10 @@ void FacetViews::add(FacetId facet, const ViewFrame& view, std::uint32_t rank) {
   views_.push_back(std::move(out));
 }
 
+bool FacetViews::isPlainStack() const {
+  return exceptions_.empty() && (views_.empty() || views_.front().set == views_.back().set);
+}
+
 double FacetViews::depthTolerance(const FacetView& a, const FacetView& b) const {
   const Vec2 d = a.slope - b.slope;
   return tolerance().match() * (1 + std::abs(d.x) + std::abs(d.y));

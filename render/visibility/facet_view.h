@@ -46,6 +46,9 @@ class FacetViews {
 
   /// True when `a` hides `b` at `p` and a little towards `side` of it, both being there.
   bool isOver(const FacetView& a, const FacetView& b, Vec2 p, Vec2 side) const;
+  /// True when all lie in one plane and the list says all: those that come first in all() are over
+  /// those after them.
+  bool isPlainStack() const;
   /// How far the depths of two planes may differ where they touch.
   double depthTolerance(const FacetView& a, const FacetView& b) const;
   /// The facets that lie over facet `number` against the order of the list of their set; numbers
