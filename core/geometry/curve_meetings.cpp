@@ -129,7 +129,6 @@ class Search {
         note(*m);
         return true;
       }
-      return std::max(p.size(), q.size()) <= nearness_;
     }
     if (std::max(p.bend(), q.bend()) > nearness_) return false;
     noteTouch(p, q, middle);

@@ -12,7 +12,7 @@
 namespace kiri {
 namespace {
 
-constexpr double kRounding = 1e-15;
+constexpr double kRounding = 2e-15;
 
 /// Largest difference of two motions, entry by entry.
 double difference(const Rigid& a, const Rigid& b) {
