@@ -54,23 +54,10 @@ int hexDigit(char c) {
 }
 
 Color readColor(const Field& field, Color fallback) {
-  const std::string text = field.text();
-  int digits[6] = {-1, -1, -1, -1, -1, -1};
-  const bool isLong = text.size() == 7;
-  const bool isShort = text.size() == 4;
-  bool isGood = (isLong || isShort) && text[0] == '#';
-  for (std::size_t i = 0; isGood && i < 6; ++i) {
-    digits[i] = hexDigit(text[isLong ? 1 + i : 1 + i / 2]);
-    isGood = digits[i] >= 0;
-  }
-  if (!isGood) {
-    field.isNot("a colour like \"#5a8c46\"");
-    return fallback;
-  }
-  const auto byte = [&](int i) {
-    return static_cast<std::uint8_t>(16 * digits[i] + digits[i + 1]);
-  };
-  return {byte(0), byte(2), byte(4)};
+  const std::optional<Color> color =
+      field.isText() ? colorFromText(field.json().text) : std::nullopt;
+  if (!color) field.isNot("a colour like \"#5a8c46\"");
+  return color.value_or(fallback);
 }
 
 std::string colorText(Color color) {
@@ -100,6 +87,21 @@ JsonValue writeSide(const PaperSide& side) {
 }
 
 }  // namespace
+
+std::optional<Color> colorFromText(const std::string& text) {
+  const bool isLong = text.size() == 7;
+  const bool isShort = text.size() == 4;
+  if (!(isLong || isShort) || text[0] != '#') return std::nullopt;
+  int digits[6] = {};
+  for (std::size_t i = 0; i < 6; ++i) {
+    digits[i] = hexDigit(text[isLong ? 1 + i : 1 + i / 2]);
+    if (digits[i] < 0) return std::nullopt;
+  }
+  const auto byte = [&](int i) {
+    return static_cast<std::uint8_t>(16 * digits[i] + digits[i + 1]);
+  };
+  return Color{byte(0), byte(2), byte(4)};
+}
 
 SheetSpec readSheet(const Field& field) {
   SheetSpec sheet;

@@ -1,0 +1,47 @@
+// The model that a command works on, and the state that was asked for.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "core/model/model.h"
+#include "core/model/replay.h"
+#include "core/paper/folded_state.h"
+
+namespace kiri::cli {
+
+struct ModelInput {
+  std::string name;    ///< for sentences: the path, or "standard input"
+  std::string folder;  ///< textures are found relative to it
+  Model model;
+};
+
+/// Reads MODEL ("-": standard input) and prints what looks odd in it.
+Result<ModelInput> loadModel(Console& console, const std::string& path);
+
+/// The number of steps that --step means; the last one by default. Errors: BadValue - there are not
+/// that many.
+Result<std::size_t> chooseStep(const ModelInput& input, const std::optional<int>& step);
+
+/// Replays the first `count` steps, with progress. Steps that fail are marked in the result.
+Result<Replay> replayFirst(Console& console, const ModelInput& input, std::size_t count);
+
+/// "leaf.kiri: step 3 (fold "mid-vein"): what is wrong", for step `index` counted from 0.
+Error errorOfStep(const ModelInput& input, std::size_t index, const Error& error);
+
+/// The state after `count` steps; the error names file and step. Collisions on the way are printed
+/// as warnings.
+Result<std::shared_ptr<const FoldedState>> stateAfter(Console& console, const ModelInput& input,
+                                                      const Replay& replay, std::size_t count);
+
+/// The three together.
+Result<std::shared_ptr<const FoldedState>> loadState(Console& console, const ModelInput& input,
+                                                     const std::optional<int>& step);
+
+/// Title of the model, or the name of its file without folder and ending.
+std::string titleOf(const ModelInput& input);
+
+}  // namespace kiri::cli

@@ -1,0 +1,18 @@
+// Which kind of file a command writes: by --format, else by the ending of the name.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace kiri::cli {
+
+/// One of `known` ("svg", "png"...). Errors: BadValue - an ending that is none of them, or standard
+/// output without
+/// --format; the sentence lists what there is.
+Result<std::string> chooseFormat(const std::string& path, const std::string& format,
+                                 const std::vector<std::string>& known);
+
+}  // namespace kiri::cli

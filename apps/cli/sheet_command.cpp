@@ -1,0 +1,119 @@
+// kiri sheet: the steps side by side on one page.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/model_input.h"
+#include "apps/cli/number_list.h"
+#include "apps/cli/picture_options.h"
+#include "render/scene/sheet_scene.h"
+
+namespace kiri::cli {
+
+namespace {
+
+struct SheetOptions {
+  std::string model;
+  std::string steps;
+  std::string view = "front";
+  int columns = 0;
+  double width = 210;
+  std::optional<double> panel;
+  bool hidesNumbers = false;
+  bool hidesTitles = false;
+  PictureOptions picture;
+};
+
+Status check(const SheetOptions& options) {
+  if (options.view != "front" && options.view != "back") {
+    return Error{ErrorCode::BadValue,
+                 "--view " + options.view + " is not known; it takes front or back"};
+  }
+  constexpr int kMostColumns = 100;
+  if (options.columns < 0 || options.columns > kMostColumns) {
+    return Error{ErrorCode::BadValue, "--columns must lie between 0 (as fits) and 100"};
+  }
+  constexpr double kNarrowest = 20;
+  constexpr double kWidest = 5000;
+  if (!(options.width >= kNarrowest && options.width <= kWidest)) {
+    return Error{ErrorCode::BadValue, "--width must lie between 20 and 5000 mm"};
+  }
+  if (options.panel && !(*options.panel > 0 && *options.panel <= kWidest)) {
+    return Error{ErrorCode::BadValue, "--panel must be above 0 and at most 5000 mm"};
+  }
+  return std::monostate{};
+}
+
+/// Prints warnings for what happened up to the last panel. Errors: the step that does not apply.
+Status lookAtSteps(Console& console, const ModelInput& input, const Replay& replay,
+                   std::size_t last) {
+  const auto state = stateAfter(console, input, replay, last);
+  if (!state.isOk()) return state.error();
+  return std::monostate{};
+}
+
+int run(Console& console, const SheetOptions& options) {
+  const Status usage = check(options);
+  if (!usage.isOk()) return fail(console, usage.error(), kBadUsage);
+  const Result<std::string> format = checkPictureOptions(options.picture);
+  if (!format.isOk()) return fail(console, format.error(), kBadUsage);
+  const Result<ModelInput> input = loadModel(console, options.model);
+  if (!input.isOk()) return fail(console, input.error());
+  SheetSceneOptions scene;
+  scene.columns = options.columns;
+  scene.pageWidth = options.width;
+  scene.panel = options.panel;
+  scene.showNumbers = !options.hidesNumbers;
+  scene.showTitles = !options.hidesTitles;
+  scene.view = options.view == "back" ? backView() : frontView();
+  std::size_t last = input->model.steps.size();
+  if (!options.steps.empty()) {
+    const auto list = parseNumberList(options.steps, last);
+    if (!list.isOk()) return fail(console, kBadUsage, "--steps: " + list.error().message);
+    scene.states = *list;
+    last = *std::max_element(list->begin(), list->end());
+  }
+  const Result<Replay> replay = replayFirst(console, *input, last);
+  if (!replay.isOk()) return fail(console, replay.error());
+  const Status status = lookAtSteps(console, *input, *replay, last);
+  if (!status.isOk()) return fail(console, status.error());
+  const Result<Appearance> appearance = appearanceFor(console, *input, options.picture);
+  if (!appearance.isOk()) return fail(console, appearance.error());
+  ProgressLine line(console, "drawing");
+  line.update(0);
+  Result<Scene> page = sheetScene(input->model, *replay, *appearance, scene);
+  if (!page.isOk()) return fail(console, page.error(), kBadUsage);
+  return writePicture(console, std::move(*page), options.picture, *format);
+}
+
+}  // namespace
+
+void addSheetCommand(CLI::App& app, Console& console, int& code) {
+  CLI::App* command =
+      app.add_subcommand("sheet", "Draw the steps side by side, the next line in each");
+  const auto options = std::make_shared<SheetOptions>();
+  command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
+  command
+      ->add_option("--steps", options->steps, "which panels, like first,2,4-7,last (default: all)")
+      ->type_name("LIST");
+  command->add_option("--view", options->view, "front or back (default front)")->type_name("VIEW");
+  command->add_option("--columns", options->columns, "panels in a row (default: as fits)")
+      ->type_name("N");
+  command->add_option("--width", options->width, "mm of the page (default 210)")->type_name("MM");
+  command->add_option("--panel", options->panel, "side of a panel in mm (default: as fits)")
+      ->type_name("MM");
+  command->add_flag("--no-numbers", options->hidesNumbers, "leave out the numbers of the steps");
+  command->add_flag("--no-titles", options->hidesTitles, "leave out the titles of the steps");
+  addPictureOptions(*command, options->picture);
+  command->footer(
+      "Examples:\n"
+      "  kiri sheet leaf.kiri -o leaf.pdf\n"
+      "  kiri sheet leaf.kiri --steps 1,4-7,last --columns 3 -o leaf.svg\n"
+      "  kiri sheet leaf.kiri --style diagram --background \"#ffffff\" -o leaf.png");
+  command->callback([&console, &code, options] { code = run(console, *options); });
+}
+
+}  // namespace kiri::cli

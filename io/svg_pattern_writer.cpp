@@ -1,0 +1,215 @@
+// The crease pattern as SVG for other origami programs and for machines (docs/formats/svg.md).
+// SPDX-License-Identifier: MIT
+#include "io/svg_pattern_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "io/json_tree.h"
+
+namespace kiri {
+
+namespace {
+
+/// Millimetres with as many digits as a machine can use, and no more.
+std::string mm(double value) {
+  constexpr double kParts = 1e6;
+  return numberText(std::round(value * kParts) / kParts);
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (c == '"') {
+      out += "&quot;";
+    } else if (byte >= ' ' || c == '\n' || c == '\t') {
+      out += c;
+    }
+  }
+  return out;
+}
+
+/// The contours of the paper: chains of borders, each with the paper on its left. Hinges and tears
+/// are crossed.
+class Contours {
+ public:
+  explicit Contours(const CreasePattern& pattern) : pattern_(pattern) {
+    for (std::uint32_t f = 0; f < pattern.facets.size(); ++f) noteFacet(f);
+  }
+
+  std::vector<std::vector<EdgeUse>> all() {
+    std::vector<std::vector<EdgeUse>> out;
+    for (const auto& [key, next] : next_) {
+      const EdgeUse start{EdgeId(key.first), key.second};
+      if (pattern_[start.edge].kind == EdgeKind::Border && !isSeen(start))
+        out.push_back(follow(start));
+    }
+    return out;
+  }
+
+ private:
+  using Key = std::pair<std::uint32_t, bool>;
+  static Key keyOf(EdgeUse use) { return {use.edge.index, use.isReversed}; }
+
+  void noteFacet(std::uint32_t index) {
+    const Facet& facet = pattern_.facets[index];
+    std::vector<std::uint32_t> starts = {0};
+    starts.insert(starts.end(), facet.holeStarts.begin(), facet.holeStarts.end());
+    for (std::size_t loop = 0; loop < starts.size(); ++loop) {
+      const std::size_t begin = starts[loop];
+      const std::size_t end = loop + 1 < starts.size() ? starts[loop + 1] : facet.border.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        next_[keyOf(facet.border[i])] = facet.border[i + 1 < end ? i + 1 : begin];
+      }
+    }
+  }
+
+  bool isSeen(EdgeUse use) const { return seen_.count(keyOf(use)) > 0; }
+
+  std::vector<EdgeUse> follow(EdgeUse start) {
+    std::vector<EdgeUse> chain;
+    EdgeUse at = start;
+    std::size_t turns = 0;
+    while (turns++ <= next_.size() && !isSeen(at)) {
+      seen_[keyOf(at)] = true;
+      chain.push_back(at);
+      at = next_.at(keyOf(at));
+      while (pattern_[at.edge].kind != EdgeKind::Border && turns++ <= next_.size()) {
+        const auto beyond = next_.find(keyOf({at.edge, !at.isReversed}));
+        if (beyond == next_.end()) break;
+        at = beyond->second;
+      }
+    }
+    return chain;
+  }
+
+  const CreasePattern& pattern_;
+  std::map<Key, EdgeUse> next_;  // the use that follows in the border of the same facet
+  std::map<Key, bool> seen_;
+};
+
+class SvgPattern {
+ public:
+  SvgPattern(const FoldedState& state, const SvgPatternOptions& options)
+      : state_(state), pattern_(state.pattern), options_(options) {
+    bool isFirst = true;
+    for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
+      if (!isUsed(EdgeId(e))) continue;
+      const Box box = boundsOf(arcOf(pattern_, EdgeId(e)));
+      box_ = isFirst ? box
+                     : Box{{std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y)},
+                           {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y)}};
+      isFirst = false;
+    }
+  }
+
+  std::string text() {
+    const double width = box_.high.x - box_.low.x + 2 * options_.margin;
+    const double height = box_.high.y - box_.low.y + 2 * options_.margin;
+    out_ =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "width=\"" +
+        mm(width) + "mm\" height=\"" + mm(height) + "mm\" viewBox=\"0 0 " + mm(width) + " " +
+        mm(height) + "\" fill=\"none\" stroke-width=\"" + mm(options_.strokeWidth) +
+        "\" stroke-linecap=\"round\">\n";
+    if (!options_.title.empty()) out_ += "  <title>" + escaped(options_.title) + "</title>\n";
+    writeCuts();
+    writeScores();
+    return out_ + "</svg>\n";
+  }
+
+ private:
+  bool isUsed(EdgeId e) const { return pattern_[e].left.isValid() || pattern_[e].right.isValid(); }
+
+  std::string at(Vec2 p) const {
+    return mm(p.x - box_.low.x + options_.margin) + " " + mm(box_.high.y - p.y + options_.margin);
+  }
+
+  std::string onward(const Arc& arc) const {
+    if (!arc.isCurved) return " L" + at(arc.end);
+    return " C" + at(arc.control1) + " " + at(arc.control2) + " " + at(arc.end);
+  }
+
+  void path(const std::string& d, const char* assignment, double angle,
+            const std::string& more = "") {
+    out_ += "    <path d=\"" + d + "\" data-assignment=\"" + assignment + "\" data-foldAngle=\"" +
+            numberText(angle) + "\"" + more + "/>\n";
+  }
+
+  void open(const char* id, const char* label, const char* colour, const char* dashes) {
+    out_ += std::string("  <g id=\"") + id + "\" data-name=\"" + label + "\" stroke=\"" + colour +
+            "\"" + (*dashes == '\0' ? "" : std::string(" stroke-dasharray=\"") + dashes + "\"") +
+            ">\n";
+  }
+
+  void close() { out_ += "  </g>\n"; }
+
+  void writeCuts() {
+    open("Cut", "border of the paper", "#000000", "");
+    for (const std::vector<EdgeUse>& chain : Contours(pattern_).all()) {
+      std::string d = "M" + at(arcOf(pattern_, chain.front()).start);
+      for (const EdgeUse use : chain) d += onward(arcOf(pattern_, use));
+      path(d + " Z", "B", 0);
+    }
+    close();
+    open("Cut-torn", "tears", "#00ff00", "");
+    for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
+      if (pattern_.edges[e].kind != EdgeKind::Tear || !isUsed(EdgeId(e))) continue;
+      const Arc arc = arcOf(pattern_, EdgeId(e));
+      path("M" + at(arc.start) + onward(arc), "C", 0);
+    }
+    close();
+  }
+
+  void writeScores() {
+    writeHinges("Score-mountain", "mountain folds", "#ff0000", "4 1 0.5 1", "M");
+    writeHinges("Score-valley", "valley folds", "#0000ff", "2.5 1.5", "V");
+    writeHinges("Score-flat", "creases that lie flat", "#808080", "0.5 1", "F");
+  }
+
+  void writeHinges(const char* id, const char* label, const char* colour, const char* dashes,
+                   const std::string& letter) {
+    open(id, label, colour, dashes);
+    for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
+      const Edge& edge = pattern_.edges[e];
+      if (edge.kind != EdgeKind::Hinge) continue;
+      const std::string own = edge.angle > 0 ? "V" : edge.angle < 0 ? "M" : "F";
+      if (own != letter) continue;
+      constexpr double kHalfTurn = 180;
+      const double part = std::fabs(edge.angle) / kHalfTurn;
+      // Programs that read colours take the target angle from the opacity.
+      std::string more;
+      if (part > 0 && part < 1) more += " stroke-opacity=\"" + mm(part) + "\"";
+      if (edge.line.isValid()) {
+        more += " data-fold=\"" + escaped(state_.lines[edge.line.index].name) + "\"";
+      }
+      const Arc arc = arcOf(pattern_, EdgeId(e));
+      path("M" + at(arc.start) + onward(arc), letter.c_str(), edge.angle, more);
+    }
+    close();
+  }
+
+  const FoldedState& state_;
+  const CreasePattern& pattern_;
+  SvgPatternOptions options_;
+  Box box_{{0, 0}, {0, 0}};
+  std::string out_;
+};
+
+}  // namespace
+
+std::string writeSvgPattern(const FoldedState& state, const SvgPatternOptions& options) {
+  return SvgPattern(state, options).text();
+}
+
+}  // namespace kiri
