@@ -9,7 +9,8 @@
 
 namespace kiri {
 
-/// The pixels of a PNG file. Errors: BadFile - not a PNG, damaged, or more than 16384 pixels wide or high.
+/// The pixels of a PNG file. Errors: BadFile - not a PNG, damaged, or more than 16384 pixels wide
+/// or high.
 Result<Image> decodePng(const std::string& bytes);
 
 /// A PNG file of the image; `dpi` is noted when above zero.

@@ -9,11 +9,12 @@
 
 namespace kiri {
 
-/// SVG 1.1 in mm: one <g> for each group with its id, one element for each item. The same scene gives the same bytes.
-/// Errors: BadValue - a scene without size.
+/// SVG 1.1 in mm: one <g> for each group with its id, one element for each item. The same scene
+/// gives the same bytes. Errors: BadValue - a scene without size.
 Result<std::string> writeSvg(const Scene& scene);
 
-/// One page of the scene's size. Errors: BadValue - a scene without size, or larger than PDF pages may be (5 m).
+/// One page of the scene's size. Errors: BadValue - a scene without size, or larger than PDF pages
+/// may be (5 m).
 Result<std::string> writePdf(const Scene& scene);
 
 struct PngOptions {
@@ -21,7 +22,8 @@ struct PngOptions {
 };
 
 /// Pixels at the given resolution, noted in the file, so that it prints in true size.
-/// Errors: BadValue - a scene without size, or more than 30000 pixels wide or high; the message says which dpi fits.
+/// Errors: BadValue - a scene without size, or more than 30000 pixels wide or high; the message
+/// says which dpi fits.
 Result<std::string> writePng(const Scene& scene, const PngOptions& options = {});
 
 }  // namespace kiri

@@ -13,7 +13,10 @@ namespace kiri {
 /// How the kinds of lines are told apart.
 enum class LineStyle {
   Thesis,   ///< colours of the thesis: mountain blue, valley red
-  Diagram,  ///< black and white, the dashes of printed diagrams: valley dashed, mountain dash-dot-dot, cut dotted
+  Diagram,  ///< black and white, the dashes of printed diagrams: valley dashed, mountain
+            ///< dash-dot-dot, cut dotted
+  Program,  ///< colours that origami programs read (Origami Simulator, Rabbit Ear): mountain red,
+            ///< valley blue, cut green
 };
 
 /// How one side of the paper looks.
@@ -26,8 +29,8 @@ struct SideLook {
 struct Appearance {
   SideLook front{{90, 140, 70}, nullptr};
   SideLook back{{214, 226, 190}, nullptr};
-  /// Box of the uncut sheet, paper frame. A texture fills it; that of the back is seen upright from the back when
-  /// the sheet is turned over about a vertical line.
+  /// Box of the uncut sheet, paper frame. A texture fills it; that of the back is seen upright from
+  /// the back when the sheet is turned over about a vertical line.
   Box textureBox{{0, 0}, {150, 150}};
   LineStyle lineStyle = LineStyle::Thesis;
   double edgeWidth = 0.35;    ///< visible borders of paper, hinges that are folded, tears
@@ -36,12 +39,13 @@ struct Appearance {
   Color edgeColor{30, 30, 30};
   Color creaseColor{110, 110, 110};
   bool showEdges = true;
-  bool showCreases = true;    ///< creases that lie flat again, and added edges
-  double gridSpacing = 0;     ///< mm between the lines of a grid behind the paper; 0: none
+  bool showCreases = true;  ///< creases that lie flat again, and added edges
+  double gridSpacing = 0;   ///< mm between the lines of a grid behind the paper; 0: none
 };
 
-/// Colours of a model and the box of its sheet. Textures are not read: put them into front.texture and back.texture
-/// (decodePng in render/canvas/png.h reads one). A sheet that is no sheet gives the default box.
+/// Colours of a model and the box of its sheet. Textures are not read: put them into front.texture
+/// and back.texture (decodePng in render/canvas/png.h reads one). A sheet that is no sheet gives
+/// the default box.
 Appearance appearanceOf(const Model& model);
 
 }  // namespace kiri

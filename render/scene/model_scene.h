@@ -17,8 +17,8 @@ struct ModelSceneOptions {
   std::string title;
 };
 
-/// The model as it is seen from the direction of `view`: visible parts in the colours of their sides, their borders,
-/// and creases that lie flat again.
+/// The model as it is seen from the direction of `view`: visible parts in the colours of their
+/// sides, their borders, and creases that lie flat again.
 Scene modelScene(const FoldedState& state, const Appearance& appearance, const ViewFrame& view,
                  const ModelSceneOptions& options = {});
 

@@ -22,9 +22,11 @@ struct PatternSceneOptions {
   PatternFill fill = PatternFill::Paper;
 };
 
-/// The sheet at rest, front towards the viewer, in the paper frame. Groups: print (paper), cut (borders, tears),
-/// mountain, valley, flat. A hinge is a mountain or valley by the sign of its angle; one that lies flat by the
-/// direction of the fold that made it, drawn thinner; an added edge is flat.
-Scene patternScene(const FoldedState& state, const Appearance& appearance, const PatternSceneOptions& options = {});
+/// The sheet at rest, front towards the viewer, in the paper frame. Groups: print (paper), cut
+/// (borders, tears), mountain, valley, flat. A hinge is a mountain or valley by the sign of its
+/// angle; one that lies flat by the direction of the fold that made it, drawn thinner; an added
+/// edge is flat.
+Scene patternScene(const FoldedState& state, const Appearance& appearance,
+                   const PatternSceneOptions& options = {});
 
 }  // namespace kiri

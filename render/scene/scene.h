@@ -27,7 +27,8 @@ struct Affine {
 Affine compose(const Affine& first, const Affine& second);
 Arc transformed(const Affine& map, const Arc& arc);
 
-/// A plain colour, and over it an image whose unit square (0,0 lower left to 1,1 upper right) `imageToScene` places.
+/// A plain colour, and over it an image whose unit square (0,0 lower left to 1,1 upper right)
+/// `imageToScene` places.
 struct Fill {
   Color color;
   std::shared_ptr<const Image> image;
@@ -38,9 +39,11 @@ enum class LineCap { Butt, Round };
 
 struct Stroke {
   Color color;
-  double width = 0.25;          ///< mm
-  std::vector<double> dashes;   ///< mm, drawn and left out in turn; empty: solid
+  double width = 0.25;         ///< mm
+  std::vector<double> dashes;  ///< mm, drawn and left out in turn; empty: solid
   LineCap cap = LineCap::Round;
+  std::shared_ptr<const Image> image;  ///< over the colour, as in Fill
+  Affine imageToScene;
 };
 
 /// A filled region: loops closed, even-odd and non-zero fill agree.
@@ -66,8 +69,9 @@ struct TextItem {
   Color color{0, 0, 0};
 };
 
-/// One thing to draw. `kind` says what it is (paper, seam, mountain, valley, border...), `id` is unique in the scene
-/// or empty. `data` are facts for other programs: name and value (SVG writes them as data-name="value").
+/// One thing to draw. `kind` says what it is (paper, seam, mountain, valley, border...), `id` is
+/// unique in the scene or empty. `data` are facts for other programs: name and value (SVG writes
+/// them as data-name="value").
 struct Item {
   std::variant<FillItem, StrokeItem, TextItem> shape;
   std::string kind;
@@ -80,9 +84,11 @@ struct Group {
   std::string id;     ///< unique in the scene, an XML name
   std::string label;  ///< for people
   std::vector<Item> items;
+  std::vector<Loop> clip;  ///< only what lies inside is drawn; empty: everything
 };
 
-/// A picture of width x height mm, x to the right, y up from the lower left corner. Groups are drawn in order.
+/// A picture of width x height mm, x to the right, y up from the lower left corner. Groups are
+/// drawn in order.
 struct Scene {
   double width = 0;
   double height = 0;

@@ -1,0 +1,132 @@
+// The line that a step is about to be done along, as it lies on the model.
+// SPDX-License-Identifier: MIT
+#include "render/scene/next_line.h"
+
+#include <optional>
+#include <variant>
+
+#include "core/model/locate.h"
+#include "core/model/requests.h"
+#include "render/scene/sheet_scene.h"
+
+namespace kiri {
+namespace {
+
+/// Takes the paper frame of a facet to the view.
+class OnView {
+ public:
+  OnView(const FoldedState& state, FacetId facet, const ViewFrame& view)
+      : pose_(state.poseOf(facet)), view_(view) {}
+  Vec2 operator()(Vec2 paper) const { return view_.project(pose_.apply(paper)); }
+  Arc operator()(const Arc& arc) const {
+    if (!arc.isCurved) return Arc::line((*this)(arc.start), (*this)(arc.end));
+    return Arc::cubic((*this)(arc.start), (*this)(arc.control1), (*this)(arc.control2),
+                      (*this)(arc.end));
+  }
+
+ private:
+  const Rigid& pose_;
+  const ViewFrame& view_;
+};
+
+class LineFinder {
+ public:
+  LineFinder(const FoldedState& state, const ViewFrame& view) : state_(state), view_(view) {}
+
+  NextLine operator()(const FoldStep& step) const {
+    const bool isFromBehind = view_.toEye.z < 0;
+    const bool isValley = (step.type == FoldType::Valley) != isFromBehind;
+    return straight(isValley ? LineKind::Valley : LineKind::Mountain, step.line);
+  }
+  NextLine operator()(const AddEdgeStep& step) const { return straight(LineKind::Flat, step.line); }
+  NextLine operator()(const StraightCutStep& step) const {
+    return straight(LineKind::Cut, step.line);
+  }
+  NextLine operator()(const TearStep& step) const { return along(LineKind::Tear, step.path); }
+  NextLine operator()(const MendStep& step) const { return along(LineKind::Flat, step.path); }
+
+  NextLine operator()(const CurveCutStep& step) const {
+    NextLine line{LineKind::Cut, {}};
+    const Result<CutRequest> request = cutRequest(state_, step);
+    if (!request) return line;
+    const OnView onView(state_, request->frame, view_);
+    line.chains.emplace_back();
+    for (const Arc& arc : request->chain) line.chains.back().push_back(onView(arc));
+    return line;
+  }
+
+  template <class Other>
+  NextLine operator()(const Other&) const {
+    return {};
+  }
+
+ private:
+  NextLine straight(LineKind kind, const DrawnLine& drawn) const {
+    NextLine line{kind, {}};
+    if (const std::optional<ModelSegment> segment = onModel(state_, drawn)) {
+      line.chains.push_back({Arc::line(view_.project(segment->from), view_.project(segment->to))});
+    }
+    return line;
+  }
+
+  /// A path along edges may cross folds: each stretch lies on the model as the facet at its middle
+  /// does.
+  NextLine along(LineKind kind, const DrawnPath& path) const {
+    NextLine line{kind, {}};
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+      const Vec2 from = path.points[i - 1];
+      const Vec2 to = path.points[i];
+      Arc arc = Arc::line(view_.project({from.x, from.y, 0}), view_.project({to.x, to.y, 0}));
+      if (path.frame == Frame::Paper) {
+        const std::optional<FacetId> facet = facetAt(state_.pattern, lerp(from, to, 0.5));
+        if (!facet) continue;
+        arc = OnView(state_, *facet, view_)(Arc::line(from, to));
+      }
+      const bool goesOn = !line.chains.empty() && line.chains.back().back().end == arc.start;
+      if (!goesOn) line.chains.emplace_back();
+      line.chains.back().push_back(arc);
+    }
+    return line;
+  }
+
+  const FoldedState& state_;
+  const ViewFrame& view_;
+};
+
+struct Words {
+  std::string operator()(const FoldStep& step) const {
+    return step.type == FoldType::Valley ? "valley fold" : "mountain fold";
+  }
+  std::string operator()(const AngleStep&) const { return "set the angle"; }
+  std::string operator()(const UnfoldStep& step) const {
+    return step.lines.empty() ? "unfold all" : "unfold";
+  }
+  std::string operator()(const RefoldStep& step) const {
+    return step.lines.empty() ? "refold all" : "refold";
+  }
+  std::string operator()(const TearStep&) const { return "tear"; }
+  std::string operator()(const MendStep&) const { return "mend"; }
+  std::string operator()(const AddEdgeStep&) const { return "add an edge"; }
+  std::string operator()(const StraightCutStep&) const { return "cut straight"; }
+  std::string operator()(const CurveCutStep&) const { return "cut along the curve"; }
+  std::string operator()(const TurnOverStep&) const { return "turn over"; }
+  std::string operator()(const RotateStep&) const { return "rotate"; }
+  std::string operator()(const MoveStep&) const { return "move"; }
+};
+
+}  // namespace
+
+std::optional<ModelSegment> onModel(const FoldedState& state, const DrawnLine& line) {
+  const Result<FacetLine> located = locateLine(state, line);
+  if (!located) return std::nullopt;
+  const Rigid& pose = state.poseOf(located->facet);
+  return ModelSegment{pose.apply(located->from), pose.apply(located->to)};
+}
+
+NextLine nextLine(const FoldedState& state, const Step& step, const ViewFrame& view) {
+  return std::visit(LineFinder(state, view), step.action);
+}
+
+std::string wordsFor(const Step& step) { return std::visit(Words{}, step.action); }
+
+}  // namespace kiri
