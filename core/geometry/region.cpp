@@ -53,7 +53,8 @@ double dentOf(Vec2 before, Vec2 corner, Vec2 after) {
   return turn >= 0 ? 0 : -turn / distance(before, after);
 }
 
-bool pointsUp(Vec2 d) { return d.y > 0 || (d.y == 0 && d.x > 0); }
+/// Upwards or level to the right; what is level but for rounding counts as level.
+bool pointsUp(Vec2 d, double nearness) { return std::abs(d.y) <= nearness ? d.x > 0 : d.y > 0; }
 
 }  // namespace
 
@@ -104,7 +105,7 @@ bool isConvexPolygon(const Region& region, const Tolerance& tolerance) {
     if (cross(before, after) <= 0 && dot(before, after) <= 0) return false;  // a spike
     dents += dentOf(last->start, arc.start, arc.end);
     if (dents > tolerance.length()) return false;
-    if (pointsUp(before) != pointsUp(after)) ++turns;
+    if (pointsUp(before, tolerance.length()) != pointsUp(after, tolerance.length())) ++turns;
     last = &arc;
   }
   return turns == 2;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "core/geometry/orientation.h"
@@ -45,11 +47,12 @@ struct Mesh {
 /// all.
 class EarClipper {
  public:
-  explicit EarClipper(const Ring& ring) : nodes_(ring.size()), remaining_(ring.size()) {
+  EarClipper(const Ring& ring, Trust trust)
+      : ring_(ring), nodes_(ring.size()), remaining_(ring.size()), trust_(trust) {
     const auto n = static_cast<std::int32_t>(ring.size());
     std::int32_t bridges = 0;
     for (const Corner& corner : ring) bridges = std::max(bridges, corner.bridge + 1);
-    links_.resize(at(bridges));
+    links_.resize(at(bridges), kNone);
     for (std::int32_t i = 0; i < n; ++i) {
       const Corner& corner = ring[at(i)];
       nodes_[at(i)] = {corner.point, corner.tag, corner.bridge, (i + n - 1) % n, (i + 1) % n};
@@ -80,9 +83,8 @@ class EarClipper {
       i = node.next;
       if (++idle > remaining_) {
         i = leastBadEar(i);
-        if (i == kNone) break;
         const std::int32_t after = nodes_[at(i)].next;
-        clip(i);
+        canClip(i) ? clip(i) : leaveOut(i);
         i = after;
         idle = 0;
       }
@@ -136,7 +138,45 @@ class EarClipper {
       if (found == Kind::Blocked) return found;
       if (found == Kind::Touching) kind = found;
     }
+    if (trust_ == Trust::MayCross && (isCrossed(a, c, i) || !isPaper(a, b, c)))
+      return Kind::Blocked;
     return kind;
+  }
+
+  /// True when the ring as it was at first winds around the middle of the triangle. Where it
+  /// crosses itself there are parts inside out, and what looks like their ears lies outside of the
+  /// paper.
+  bool isPaper(Vec2 a, Vec2 b, Vec2 c) const {
+    const Vec2 middle = (a + b + c) / 3;
+    int winding = 0;
+    Vec2 p = ring_.back().point;
+    for (const Corner& corner : ring_) {
+      const Vec2 q = corner.point;
+      const bool isBelow = middle.y < p.y;
+      if (isBelow != (middle.y < q.y)) {
+        const int side = isBelow ? orientation(q, p, middle) : orientation(p, q, middle);
+        if (side > 0) winding += isBelow ? -1 : 1;
+      }
+      p = q;
+    }
+    return winding > 0;
+  }
+
+  /// True when a side of the ring, wherever its ends are, crosses the segment. Sides start after
+  /// node `start`.
+  bool isCrossed(Vec2 a, Vec2 c, std::int32_t start) const {
+    std::int32_t i = nodes_[at(start)].next;
+    Vec2 p = pointOf(i);
+    int sideOfP = orientation(a, c, p);
+    for (std::size_t k = 2; k < remaining_; ++k) {
+      i = nodes_[at(i)].next;
+      const Vec2 q = pointOf(i);
+      const int sideOfQ = orientation(a, c, q);
+      if (sideOfP * sideOfQ < 0 && orientation(p, q, a) * orientation(p, q, c) < 0) return true;
+      p = q;
+      sideOfP = sideOfQ;
+    }
+    return false;
   }
 
   /// Ear: the corner `other` is not in the way of cutting off the triangle a b c.
@@ -245,19 +285,31 @@ class EarClipper {
     return after;
   }
 
-  /// For rings that touch or cross themselves: the corner that does least harm when cut off; none
-  /// is left when no corner is convex.
+  bool canClip(std::int32_t i) const {
+    const Node& node = nodes_[at(i)];
+    return turnAt(i) > 0 && (trust_ == Trust::Simple ||
+                             isPaper(pointOf(node.previous), node.point, pointOf(node.next)));
+  }
+
+  /// Takes a corner away whose triangle lies outside of the paper.
+  void leaveOut(std::int32_t i) {
+    Node& before = nodes_[at(nodes_[at(i)].previous)];
+    before.tag = ConvexPart::kInner;
+    before.link = kNone;
+    remove(i);
+  }
+
+  /// For rings that touch or cross themselves: the corner that changes least when cut off.
   std::int32_t leastBadEar(std::int32_t start) const {
-    std::int32_t best = kNone;
-    double bestArea = 0;
+    std::int32_t best = start;
+    double bestArea = std::numeric_limits<double>::infinity();
     std::int32_t i = start;
     for (std::size_t k = 0; k < remaining_; ++k, i = nodes_[at(i)].next) {
       const Node& node = nodes_[at(i)];
       if (node.kind == Kind::Touching) return i;
-      if (turnAt(i) <= 0) continue;
-      const double area =
-          cross(node.point - pointOf(node.previous), pointOf(node.next) - pointOf(node.previous));
-      if (best == kNone || area < bestArea) {
+      const Vec2 before = pointOf(node.previous);
+      const double area = std::abs(cross(node.point - before, pointOf(node.next) - before));
+      if (area < bestArea) {
         best = i;
         bestArea = area;
       }
@@ -265,8 +317,10 @@ class EarClipper {
     return best;
   }
 
+  const Ring& ring_;
   std::vector<Node> nodes_;
   std::size_t remaining_;
+  Trust trust_;
   std::vector<std::int32_t> blockers_;  ///< corners that are not convex; some may be gone
   std::size_t goneSinceTidy_ = 0;
   std::vector<std::int32_t> links_ =
@@ -321,7 +375,7 @@ bool isConvexRing(const Ring& ring) {
 
 }  // namespace
 
-std::vector<ConvexPart> convexPartsOf(const Ring& ring) {
+std::vector<ConvexPart> convexPartsOf(const Ring& ring, Trust trust) {
   std::vector<ConvexPart> parts;
   if (ring.size() < 3) return parts;
   if (isConvexRing(ring)) {
@@ -332,7 +386,7 @@ std::vector<ConvexPart> convexPartsOf(const Ring& ring) {
     }
     return parts;
   }
-  Mesh mesh = EarClipper(ring).clipAll();
+  Mesh mesh = EarClipper(ring, trust).clipAll();
   mergeTriangles(mesh);
   for (std::int32_t h = 0; at(h) < mesh.edges.size(); ++h) {
     if (!mesh[h].isAlive) continue;

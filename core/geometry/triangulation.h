@@ -27,9 +27,16 @@ Ring withoutSpikes(const Ring& ring);
 /// numbered from 0.
 Ring bridged(Ring border, std::vector<Ring> holes);
 
-/// Convex polygons that cover the ring. Requires a counter-clockwise ring that does not cross
-/// itself (it may touch itself); where it does cross itself the signed area is kept as well as it
-/// can be.
-std::vector<ConvexPart> convexPartsOf(const Ring& ring);
+/// What is known of a ring beforehand.
+enum class Trust {
+  Simple,    ///< it may touch itself, but does not cross itself
+  MayCross,  ///< polylines of curves that run close together may cross
+};
+
+/// Convex polygons that cover the counter-clockwise ring. Where it crosses itself they cover nearly
+/// what it winds around once: the area is off by no more than little loops have, if `trust` says
+/// so; and by anything if it does not. Cost: O(n^2), three times as much for rings that may cross
+/// themselves.
+std::vector<ConvexPart> convexPartsOf(const Ring& ring, Trust trust);
 
 }  // namespace kiri
