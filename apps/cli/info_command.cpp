@@ -108,7 +108,7 @@ std::string jsonOf(const ModelInput& input, std::size_t step, const FoldedState&
 
 std::string shown(double value) {
   std::ostringstream out;
-  out << std::setprecision(6) << value;
+  out << std::setprecision(6) << (value == 0 ? 0.0 : value);  // no "-0"
   return out.str();
 }
 
