@@ -72,12 +72,12 @@ Kept measure(std::span<const Vec2> polygon, const SideOf& sideOf, double* side) 
 /// points.
 std::size_t writeLeft(std::span<const Vec2> polygon, const double* side, Vec2* out) {
   std::size_t count = 0;
-  std::size_t last = polygon.size() - 1;
-  for (std::size_t i = 0; i < polygon.size(); last = i++) {
-    if ((side[last] > 0 && side[i] < 0) || (side[last] < 0 && side[i] > 0)) {
-      out[count++] = crossing(polygon[last], side[last], polygon[i], side[i]);
-    }
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t j = i + 1 < polygon.size() ? i + 1 : 0;
     if (side[i] >= 0) out[count++] = polygon[i];
+    if ((side[i] > 0 && side[j] < 0) || (side[i] < 0 && side[j] > 0)) {
+      out[count++] = crossing(polygon[i], side[i], polygon[j], side[j]);
+    }
   }
   return count;
 }
