@@ -181,7 +181,7 @@ std::pair<Vec2, Vec2> lineOf(FoldSequence sequence, const ReferenceStack& stack,
   const double reach = 10 * (size.x + size.y);
   Vec2 middle = lerp(low, high, 0.5);
   double degrees = number % 2 == 0 ? 90 : 0;
-  if (sequence != FoldSequence::Half) degrees = 137.508 * (number + 1);
+  if (sequence != FoldSequence::Half) degrees = 137.508 * number;
   const double radians = degrees * std::numbers::pi / 180;
   Vec2 along{std::cos(radians), std::sin(radians)};
   if (sequence == FoldSequence::Half) along = number % 2 == 0 ? Vec2{0, 1} : Vec2{1, 0};

@@ -78,10 +78,10 @@ class PatternCheck {
     if (edge.kind == EdgeKind::Border && sides == 2)
       report("a border with paper on both sides" + at);
     if (edge.kind != EdgeKind::Border && sides != 2)
-      report("a hinge or tear with paper on one side" + at);
+      report("a hinge, tear or cut with paper on one side" + at);
     if (edge.kind == EdgeKind::Hinge && edge.isCurved()) report("a curved hinge" + at);
-    if (edge.kind == EdgeKind::Hinge && edge.left == edge.right)
-      report("a hinge within one facet" + at);
+    if (edge.kind == EdgeKind::Hinge && edge.left == edge.right && edge.angle != 0)
+      report("a folded hinge within one facet" + at);
     if (std::abs(edge.angle) > 180 || std::isnan(edge.angle))
       report("a fold angle beyond 180 degrees" + at);
     if (edge.sign != 1 && edge.sign != -1) report("a sign that is no sign" + at);
