@@ -107,17 +107,12 @@ std::vector<double> heights(const CreasePattern& pattern, const Facet& facet, Ve
 
 bool isSimple(const CreasePattern& pattern, const Facet& facet, const std::vector<double>& h) {
   if (!facet.holeStarts.empty()) return false;
-  int changes = 0;
-  const std::size_t n = h.size();
-  double last = 0;
-  for (std::size_t i = 0; i < n && last == 0; ++i) last = h[n - 1 - i];
-  for (std::size_t i = 0; i < n; ++i) {
+  int meetings = 0;  // corners on the line count, for a line may run along several sides of a facet
+  for (std::size_t i = 0; i < h.size(); ++i) {
     if (pattern[facet.border[i].edge].isCurved()) return false;
-    if (h[i] == 0) continue;
-    if (h[i] * last < 0) ++changes;
-    last = h[i];
+    if (h[i] == 0 || h[i] * h[(i + 1) % h.size()] < 0) ++meetings;
   }
-  return changes <= 2;
+  return meetings <= 2;
 }
 
 /// Parameters along the line, in mm, at which the border of a simple facet meets it; two when the
