@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "core/cut/edge_stretch.h"
 #include "core/cut/rests.h"
 #include "core/layers/divide_layers.h"
 #include "core/paper/inscribe.h"
@@ -65,14 +66,13 @@ class Cutting {
           "the cutting curve crosses itself at " + text(*p) + " mm; move its control points apart",
           {{*p}, {}, {}}};
     }
-    const std::size_t oldEdges = state_.pattern.edges.size();
     if (const Status done = divide(); !done) return done.error();
     const bool keepsAll = request_.keepSides.empty() && request_.keepPieces.empty();
     renewRests(state_);
     if (keepsAll) return std::move(state_);
     std::vector<bool> keep(state_.pattern.facets.size(), false);
     if (const Status done = keepPieces(keep); !done) return done.error();
-    if (const Status done = keepSides(keep, oldEdges); !done) return done.error();
+    if (const Status done = keepSides(keep); !done) return done.error();
     if (std::find(keep.begin(), keep.end(), true) == keep.end()) {
       return Error{ErrorCode::NothingLeft,
                    "the cut would throw all paper away; name a place that is to stay",
@@ -83,6 +83,8 @@ class Cutting {
 
  private:
   Status divide() {
+    partHingesAlong();
+    const std::size_t oldEdges = state_.pattern.edges.size();
     const Rigid frame = state_.poseOf(request_.frame);
     const Result<std::size_t> count =
         divideLayers(state_, request_.layers, [&](CreasePattern& p, FacetId f) {
@@ -90,14 +92,48 @@ class Cutting {
           return Result<std::vector<NewEdge>>(inscribe(p, f, chain, EdgeKind::Cut));
         });
     if (!count) return count.error();
-    if (*count == 0) {
-      return Error{ErrorCode::MissesPaper,
-                   "the cut from " + text(request_.chain.front().start) + " to " +
-                       text(request_.chain.back().end) +
-                       " mm crosses none of the chosen layers; draw it across the paper",
-                   {{request_.chain.front().start, request_.chain.back().end}, {}, {}}};
+    for (std::size_t e = oldEdges; e < state_.pattern.edges.size(); ++e) {
+      // Halves of older cuts that this one crosses are new edges too; they do not lie on the chain.
+      if (state_.pattern.edges[e].kind == EdgeKind::Cut && nearestOnChain(EdgeId(e)).has_value()) {
+        cuts_.push_back(EdgeId(e));
+      }
     }
+    if (cuts_.empty()) return missed();
     return std::monostate{};
+  }
+
+  /// Where the cut runs along a crease, the crease itself is what is parted.
+  void partHingesAlong() {
+    std::vector<bool> isLayer(state_.pattern.facets.size(), false);
+    for (const FacetId f : request_.layers) isLayer[f.index] = true;
+    const Rigid frame = state_.poseOf(request_.frame);
+    const std::size_t count = state_.pattern.edges.size();
+    for (const Arc& arc : request_.chain) {
+      if (arc.isCurved) continue;
+      for (std::size_t e = 0; e < count; ++e) {
+        const Edge& edge = state_.pattern.edges[e];
+        const bool isJoint = edge.kind == EdgeKind::Hinge || edge.kind == EdgeKind::Tear;
+        if (!isJoint || !isLayer[edge.left.index] || !isLayer[edge.right.index]) continue;
+        const Rigid& pose = state_.poseOf(edge.left);
+        const EdgeEnds ends{pose.apply(state_.pattern[edge.from]),
+                            pose.apply(state_.pattern[edge.to])};
+        const auto stretch = stretchAlong(EdgeId(e), ends, frame.apply(arc.start),
+                                          frame.apply(arc.end), state_.tolerance());
+        if (!stretch) continue;
+        const EdgeId parted = isolate(state_.pattern, *stretch);
+        state_.pattern[parted].kind = EdgeKind::Cut;
+        state_.pattern[parted].angle = 0;
+        cuts_.push_back(parted);
+      }
+    }
+  }
+
+  Error missed() const {
+    return {ErrorCode::MissesPaper,
+            "the cut from " + text(request_.chain.front().start) + " to " +
+                text(request_.chain.back().end) +
+                " mm crosses none of the chosen layers; draw it across the paper",
+            {{request_.chain.front().start, request_.chain.back().end}, {}, {}}};
   }
 
   Status keepPieces(std::vector<bool>& keep) const {
@@ -124,17 +160,19 @@ class Cutting {
   Vec3 normalOf(FacetId facet) const { return state_.poseOf(facet).normal(); }
 
   /// Sides by the cut itself, then by what hangs on what.
-  std::vector<Sides> label(std::size_t oldEdges) const {
+  std::vector<Sides> label() const {
     std::vector<Sides> sides(state_.pattern.facets.size());
     std::vector<FacetId> queue;
-    for (std::size_t e = oldEdges; e < state_.pattern.edges.size(); ++e) {
-      const Edge& edge = state_.pattern.edges[e];
-      if (edge.kind != EdgeKind::Cut || !isNewCut(edge)) continue;
-      (isTurned(edge.left) ? sides[edge.left.index].isRight : sides[edge.left.index].isLeft) = true;
-      (isTurned(edge.right) ? sides[edge.right.index].isLeft : sides[edge.right.index].isRight) =
-          true;
-      queue.push_back(edge.left);
-      queue.push_back(edge.right);
+    for (const EdgeId id : cuts_) {
+      const Edge& edge = state_.pattern[id];
+      const bool sameWay = runsWithChain(id);
+      for (const FacetId f : {edge.left, edge.right}) {
+        const bool isLeftOnPaper = f == edge.left;
+        const bool isLeft = (isLeftOnPaper == sameWay) != isTurned(f);
+        (isLeft ? sides[f.index].isLeft : sides[f.index].isRight) = true;
+        queue.push_back(f);
+      }
+      if (edge.left == edge.right) sides[edge.left.index] = {true, true};
     }
     for (std::size_t i = 0; i < queue.size(); ++i) {
       for (const EdgeUse use : state_.pattern[queue[i]].border) {
@@ -151,21 +189,36 @@ class Cutting {
     return sides;
   }
 
-  /// Halves of older cuts that this one crossed are among the new edges too; they do not lie on the
-  /// chain.
-  bool isNewCut(const Edge& edge) const {
-    const Rigid& pose = state_.poseOf(edge.left);
-    const EdgeId id(static_cast<std::size_t>(&edge - state_.pattern.edges.data()));
-    const Vec2 middle =
-        state_.poseOf(request_.frame).pullBack(pose.apply(pointAt(arcOf(state_.pattern, id), 0.5)));
-    return std::any_of(request_.chain.begin(), request_.chain.end(), [&](const Arc& arc) {
-      return nearestOn(arc, middle).distance <= state_.tolerance().match();
-    });
+  /// Where on the chain the middle of an edge lies: the arc and the parameter; none when it lies
+  /// elsewhere.
+  std::optional<std::pair<std::size_t, double>> nearestOnChain(EdgeId id) const {
+    const Vec2 middle = toFrame(state_.pattern[id].left, pointAt(arcOf(state_.pattern, id), 0.5));
+    for (std::size_t a = 0; a < request_.chain.size(); ++a) {
+      const Nearest nearest = nearestOn(request_.chain[a], middle);
+      if (nearest.distance <= state_.tolerance().match()) return std::make_pair(a, nearest.t);
+    }
+    return std::nullopt;
   }
 
-  Status keepSides(std::vector<bool>& keep, std::size_t oldEdges) const {
+  /// A point of a facet, in the coordinates of the chain.
+  Vec2 toFrame(FacetId facet, Vec2 paper) const {
+    return state_.poseOf(request_.frame).pullBack(state_.poseOf(facet).apply(paper));
+  }
+
+  bool runsWithChain(EdgeId id) const {
+    const auto place = nearestOnChain(id);
+    KIRI_CHECK(place.has_value(), "a cut edge lies on the cut");
+    const Arc arc = arcOf(state_.pattern, id);
+    const FacetId left = state_.pattern[id].left;
+    constexpr double kBefore = 7.0 / 16;
+    constexpr double kBehind = 9.0 / 16;
+    const Vec2 along = toFrame(left, pointAt(arc, kBehind)) - toFrame(left, pointAt(arc, kBefore));
+    return dot(along, tangentAt(request_.chain[place->first], place->second)) > 0;
+  }
+
+  Status keepSides(std::vector<bool>& keep) const {
     if (request_.keepSides.empty()) return std::monostate{};
-    const std::vector<Sides> sides = label(oldEdges);
+    const std::vector<Sides> sides = label();
     for (std::size_t f = 0; f < sides.size(); ++f) {
       if (sides[f].isLeft && sides[f].isRight) return joined(FacetId(f));
     }
@@ -210,6 +263,7 @@ class Cutting {
 
   FoldedState state_;
   const CutRequest& request_;
+  std::vector<EdgeId> cuts_;  ///< the edges that this cut made or parted
 };
 
 }  // namespace

@@ -5,56 +5,25 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/cut/edge_stretch.h"
 #include "core/cut/rests.h"
 #include "core/layers/topmost.h"
-#include "core/paper/pattern_edit.h"
 
 namespace kiri {
 namespace {
 
-/// The part of an edge, as parameters in its own direction, that lies along one segment of the
-/// path.
-struct Stretch {
-  EdgeId edge;
-  double t0 = 0;
-  double t1 = 1;
-  double from = 0;  ///< along the path's segment, mm
-  double to = 0;
-};
-
 /// Where the two ends of an edge are seen.
-using Ends = std::pair<Vec3, Vec3>;
-
-Ends endsOf(const FoldedState& state, const Edge& edge, bool onPaper, bool isSeenFlat) {
+EdgeEnds endsOf(const FoldedState& state, const Edge& edge, bool onPaper, bool isSeenFlat) {
   const Vec2 a = state.pattern[edge.from];
   const Vec2 b = state.pattern[edge.to];
   if (onPaper) return {{a.x, a.y, 0}, {b.x, b.y, 0}};
   const Rigid& pose = state.poseOf(edge.left);
-  Ends ends{pose.apply(a), pose.apply(b)};
+  EdgeEnds ends{pose.apply(a), pose.apply(b)};
   if (isSeenFlat) {
-    ends.first.z = 0;
-    ends.second.z = 0;
+    ends.from.z = 0;
+    ends.to.z = 0;
   }
   return ends;
-}
-
-/// The part of an edge that lies along the segment from p to q, if any.
-std::optional<Stretch> stretchAlong(EdgeId id, const Ends& ends, Vec3 p, Vec3 q,
-                                    const Tolerance& tolerance) {
-  const double span = distance(p, q);
-  const Vec3 along = (q - p) / span;
-  const auto away = [&](Vec3 r) { return length(cross(along, r - p)); };
-  if (away(ends.first) > tolerance.match() || away(ends.second) > tolerance.match())
-    return std::nullopt;
-  const double s = dot(ends.first - p, along);
-  const double t = dot(ends.second - p, along);
-  const double low = std::max(0.0, std::min(s, t));
-  const double high = std::min(span, std::max(s, t));
-  if (high - low <= tolerance.match()) return std::nullopt;
-  const auto parameter = [&](double at) { return std::clamp((at - s) / (t - s), 0.0, 1.0); };
-  const double u = parameter(low);
-  const double v = parameter(high);
-  return Stretch{id, std::min(u, v), std::max(u, v), low, high};
 }
 
 class EdgeFinder {
@@ -141,22 +110,6 @@ class EdgeFinder {
   EdgeKind kind_;
   const EdgeChoice& choice_;
 };
-
-/// The edge that is just the stretch: divides the edge where the stretch starts or ends between its
-/// ends.
-EdgeId isolate(CreasePattern& pattern, const Stretch& stretch) {
-  const double span =
-      distance(pattern[pattern[stretch.edge].from], pattern[pattern[stretch.edge].to]);
-  const double tol = pattern.tolerance.match();
-  EdgeId id = stretch.edge;
-  if ((1 - stretch.t1) * span > tol) splitEdge(pattern, id, stretch.t1);
-  if (stretch.t0 * span > tol) {
-    const double end = (1 - stretch.t1) * span > tol ? stretch.t1 : 1;
-    splitEdge(pattern, id, stretch.t0 / end);
-    id = EdgeId(pattern.edges.size() - 1);
-  }
-  return id;
-}
 
 /// The angle of a hinge that joins its facets as they lie.
 double angleBetween(const FoldedState& state, const Edge& edge) {

@@ -69,24 +69,6 @@ std::vector<double> probes() {
   return at;
 }
 
-/// The end of a line, on the vertex it is meant for: the nearest vertex of the plane within reach.
-Vec2 snapped(const FoldedState& state, FacetId frame, Vec2 end) {
-  const Rigid& pose = state.poseOf(frame);
-  double nearest = state.tolerance().pick();
-  Vec2 result = end;
-  for (const FacetId f : state.layers.sets()[state.layers.setOf(frame)].upward) {
-    for (const EdgeUse use : state.pattern[f].border) {
-      const Vec2 vertex = state.pattern[startOf(state.pattern, use)];
-      const Vec2 here = f == frame ? vertex : pose.pullBack(state.poseOf(f).apply(vertex));
-      const double away = distance(here, end);
-      if (away >= nearest) continue;
-      nearest = away;
-      result = here;
-    }
-  }
-  return result;
-}
-
 Error missed(const DrawnLine& line) {
   const char* frame = line.frame == Frame::Paper ? " mm on the sheet" : " mm on the model";
   return {ErrorCode::MissesPaper,
@@ -145,6 +127,23 @@ std::vector<Cover> coversOf(const FoldedState& state, const FacetLine& line) {
 
 }  // namespace
 
+Vec2 snapToVertex(const FoldedState& state, FacetId frame, Vec2 point) {
+  const Rigid& pose = state.poseOf(frame);
+  double nearest = state.tolerance().pick();
+  Vec2 result = point;
+  for (const FacetId f : state.layers.sets()[state.layers.setOf(frame)].upward) {
+    for (const EdgeUse use : state.pattern[f].border) {
+      const Vec2 vertex = state.pattern[startOf(state.pattern, use)];
+      const Vec2 here = f == frame ? vertex : pose.pullBack(state.poseOf(f).apply(vertex));
+      const double away = distance(here, point);
+      if (away >= nearest) continue;
+      nearest = away;
+      result = here;
+    }
+  }
+  return result;
+}
+
 double heightOf(const FoldedState& state, FacetId facet) {
   const LayerSet& set = state.layers.sets()[state.layers.setOf(facet)];
   const double rank = state.layers.rankOf(facet);
@@ -183,8 +182,8 @@ Result<FacetLine> locateLine(const FoldedState& state, const DrawnLine& line) {
     result.from = onPlaneOf(state, *frame, line.from);
     result.to = onPlaneOf(state, *frame, line.to);
   }
-  result.from = snapped(state, *frame, result.from);
-  result.to = snapped(state, *frame, result.to);
+  result.from = snapToVertex(state, *frame, result.from);
+  result.to = snapToVertex(state, *frame, result.to);
   return result;
 }
 

@@ -42,6 +42,10 @@ Result<FoldLineId> locateFoldLine(const FoldedState& state, const FoldLineName& 
 /// A place in the plane of `frame`, in its paper frame (which may lie beyond the paper).
 Vec2 onPlaneOf(const FoldedState& state, FacetId frame, Vec2 model);
 
+/// The vertex of the frame's plane within tolerance.pick() of a point of it, in the paper frame of
+/// `frame`; else the point itself.
+Vec2 snapToVertex(const FoldedState& state, FacetId frame, Vec2 point);
+
 /// Height of a facet in its plane as the viewer of the front counts, 0 at the bottom.
 double heightOf(const FoldedState& state, FacetId facet);
 

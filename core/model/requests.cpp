@@ -202,11 +202,15 @@ Result<CutRequest> cutRequest(const FoldedState& state, const CurveCutStep& step
   if (!chain) return chain.error();
   const Result<FacetId> frame = frameOfCurve(state, step, *chain);
   if (!frame) return frame.error();
+  CurveCutStep here = step;
   if (step.frame == Frame::Model) {
-    CurveCutStep here = step;
     for (Vec2& control : here.controls) control = onPlaneOf(state, *frame, control);
-    chain = chainOf(here);
   }
+  if (!step.isClosed && step.ends == SplineEnds::Clamped) {
+    here.controls.front() = snapToVertex(state, *frame, here.controls.front());
+    here.controls.back() = snapToVertex(state, *frame, here.controls.back());
+  }
+  chain = chainOf(here);
   Result<std::vector<FacetId>> layers = layersOfCurve(state, step.layers, *frame, *chain);
   if (!layers) return layers.error();
   CutRequest request{*frame, std::move(*chain), std::move(*layers), {}, {}};
