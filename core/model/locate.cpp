@@ -77,6 +77,33 @@ Error missed(const DrawnLine& line) {
           {{line.from, line.to}, {}, {}}};
 }
 
+/// The middles of the stretches that a line has in the facets under it, for all probes of a long
+/// line may pass the paper by. Those nearest to the line's own middle come first.
+std::vector<double> chordMiddles(const FoldedState& state, const DrawnLine& line) {
+  std::vector<double> at;
+  for (std::size_t i = 0; i < state.pattern.facets.size(); ++i) {
+    const FacetId f(i);
+    Vec2 from = line.from;
+    Vec2 to = line.to;
+    if (line.frame == Frame::Model) {
+      const std::optional<Vec3> a = liftedTo(state.poseOf(f), from);
+      const std::optional<Vec3> b = liftedTo(state.poseOf(f), to);
+      if (!a || !b) continue;
+      from = state.poseOf(f).pullBack(*a);
+      to = state.poseOf(f).pullBack(*b);
+    }
+    for (const Chord& chord : chordsOf(state.pattern, f, from, to)) {
+      at.push_back((std::max(0.0, chord.t0) + std::min(1.0, chord.t1)) / 2);
+    }
+  }
+  std::sort(at.begin(), at.end(), [](double a, double b) {
+    const double awayA = std::abs(a - 0.5);
+    const double awayB = std::abs(b - 0.5);
+    return awayA != awayB ? awayA < awayB : a < b;
+  });
+  return at;
+}
+
 Result<FacetId> frameOf(const FoldedState& state, const DrawnLine& line) {
   if (line.frame == Frame::Paper && line.facet) {
     const std::optional<FacetId> facet = facetAt(state.pattern, *line.facet);
@@ -86,7 +113,10 @@ Result<FacetId> frameOf(const FoldedState& state, const DrawnLine& line) {
         "there is no facet at " + text(*line.facet) + " mm on the sheet, which the line names",
         {{*line.facet}, {}, {}}};
   }
-  for (const double t : probes()) {
+  std::vector<double> at = probes();
+  const std::vector<double> middles = chordMiddles(state, line);
+  at.insert(at.end(), middles.begin(), middles.end());
+  for (const double t : at) {
     const Vec2 p = lerp(line.from, line.to, t);
     if (line.frame == Frame::Paper) {
       if (const auto facet = facetAt(state.pattern, p)) return *facet;

@@ -2,17 +2,20 @@
 // kernel. SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/paper/folded_state.h"
 
 namespace kiri::test {
 
-/// A flat fold as drawn on the model as it lay: what is left of the line was reflected in it.
+/// A flat fold as drawn on the model as it lay: what was left of the line was reflected in it. A fold of chosen
+/// layers names a line on the sheet instead, left of which paper was reflected.
 struct DrawnFold {
   Vec2 from;
   Vec2 to;
+  std::optional<std::pair<Vec2, Vec2>> onSheet = std::nullopt;
 };
 
 /// How the paper around one point of the sheet was carried to the model: reflections, one after the

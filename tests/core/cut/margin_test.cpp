@@ -42,13 +42,7 @@ struct Fan {
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (i > 0) at += turn * (axes[i] - axes[i - 1]);
       folded.push_back(at);
-      // On the model the crease is drawn at its folded angle; what lies beyond it on the sheet is
-      // to its left there when the sector before it shows its front, to its right when it shows its
-      // back.
-      const bool showsFront = turn > 0;
-      const Vec2 far = rayEnd(at, 400);
-      const Vec2 near = kPetiole - (far - kPetiole);
-      folds.push_back(showsFront ? DrawnFold{near, far} : DrawnFold{far, near});
+      folds.push_back({kPetiole, rayEnd(at, 400), std::make_pair(kPetiole, rayEnd(axes[i], 400))});
       const double beyond = i + 1 < axes.size() ? (axes[i] + axes[i + 1]) / 2 : (axes[i] + 180) / 2;
       const Vec2 inBeyond = rayEnd(beyond, 20);
       model += ";fold f" + std::to_string(i) + " valley " + text(kPetiole) + " " +
