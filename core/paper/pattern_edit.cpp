@@ -137,6 +137,23 @@ bool isInside(const CreasePattern& pattern, const LoopOfUses& hole, const LoopOf
   return false;
 }
 
+/// The smallest of the outer loops that hold the hole: a ring within a facet holds it as well as the
+/// facet's own border does.
+std::size_t ownerOf(const CreasePattern& pattern, const LoopOfUses& hole,
+                    const std::vector<LoopOfUses>& outers) {
+  if (outers.size() == 1) return 0;
+  std::optional<std::size_t> owner;
+  double least = 0;
+  for (std::size_t i = 0; i < outers.size(); ++i) {
+    if (!isInside(pattern, hole, outers[i])) continue;
+    const double area = signedDoubleArea(pattern, outers[i]);
+    if (owner && area >= least) continue;
+    owner = i;
+    least = area;
+  }
+  return owner.value_or(outers.size() - 1);
+}
+
 /// Outer loops with the holes that lie in them; the loop that starts first comes first.
 std::vector<Facet> facetsOf(const CreasePattern& pattern, std::vector<LoopOfUses> loops) {
   const double flat = pattern.tolerance.length() * pattern.tolerance.length();
@@ -150,11 +167,7 @@ std::vector<Facet> facetsOf(const CreasePattern& pattern, std::vector<LoopOfUses
   std::vector<Facet> facets(outers.size());
   for (std::size_t i = 0; i < outers.size(); ++i) facets[i].border = outers[i];
   for (const LoopOfUses& hole : holes) {
-    std::size_t owner = 0;
-    if (outers.size() > 1) {
-      while (owner + 1 < outers.size() && !isInside(pattern, hole, outers[owner])) ++owner;
-    }
-    Facet& facet = facets[owner];
+    Facet& facet = facets[ownerOf(pattern, hole, outers)];
     facet.holeStarts.push_back(static_cast<std::uint32_t>(facet.border.size()));
     facet.border.insert(facet.border.end(), hole.begin(), hole.end());
   }

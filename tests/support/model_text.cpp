@@ -254,7 +254,9 @@ Action actionOf(Words& words) {
   if (kind == "edge" || kind == "cut") return lineActionOf(kind, words);
   if (kind == "curve") return curveOf(words);
   if (kind == "turn") {
-    return TurnOverStep{words.take("horizontal") ? TurnAxis::Horizontal : TurnAxis::Vertical};
+    const bool isHorizontal = words.take("horizontal");
+    if (!isHorizontal) words.take("vertical");
+    return TurnOverStep{isHorizontal ? TurnAxis::Horizontal : TurnAxis::Vertical};
   }
   if (kind == "rotate") {
     RotateStep step{words.needNumber(), std::nullopt};
