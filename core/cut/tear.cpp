@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/cut/edge_stretch.h"
 #include "core/cut/rests.h"
+#include "core/layers/hinge_checks.h"
 #include "core/layers/topmost.h"
 
 namespace kiri {
@@ -174,6 +175,17 @@ Error apart(const FoldedState& state, const Edge& edge) {
           {{a, b}, {{a, b}}, {}}};
 }
 
+Error blocked(const FoldedState& state, const Edge& edge, FacetId between) {
+  const Vec2 a = state.pattern[edge.from];
+  const Vec2 b = state.pattern[edge.to];
+  const Vec2 p = interiorPointOf(state.pattern, between);
+  return {ErrorCode::CannotMend,
+          "the torn edge from " + text(a) + " to " + text(b) +
+              " mm cannot be mended: the layer at " + text(p) +
+              " mm on the sheet lies between its two sides; fold that layer away first",
+          {{a, b, p}, {{a, b}}, {p}}};
+}
+
 }  // namespace
 
 Result<FoldedState> tear(const FoldedState& state, const EdgePath& path, const EdgeChoice& choice) {
@@ -211,6 +223,12 @@ Result<FoldedState> mend(const FoldedState& state, const EdgePath& path, const E
     edge.kind = EdgeKind::Hinge;
   }
   renewRests(next);
+  for (const EdgeId id : edges) {
+    const Edge& edge = next.pattern[id];
+    const bool isFlatHinge = edge.angle == 0 || std::abs(edge.angle) == 180;
+    if (!isFlatHinge) continue;
+    if (const auto between = facetThrough(next, edge)) return blocked(next, edge, *between);
+  }
   return next;
 }
 

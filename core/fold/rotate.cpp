@@ -22,8 +22,9 @@ const char* nameOf(CollisionMoment moment) {
              "paper at %s mm and would pass through it; unfold what holds it first, or "
              "fold the other way";
     case CollisionMoment::End:
-      return "as the motion ends, the paper at %s mm arrives on both sides of the paper at "
-             "%s mm; fold fewer layers, or tear here";
+      return "as the motion ends, the paper at %s mm would pass through the paper at %s mm, on "
+             "which it lands; fold "
+             "fewer layers, lay flat what stands in the way, or tear here";
     case CollisionMoment::Hinge:
       return "the crease between the paper at %s mm and at %s mm would turn past 180 "
              "degrees, through itself; unfold it first";

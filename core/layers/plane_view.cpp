@@ -12,15 +12,33 @@ bool doTouch(const Box& a, const Box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-Box boxOf(const std::vector<std::vector<Vec2>>& parts) {
-  Box box{parts.front().front(), parts.front().front()};
-  for (const auto& part : parts) {
-    for (const Vec2 p : part) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
+Box boxOf(const std::vector<Vec2>& points) {
+  Box box{points.front(), points.front()};
+  for (const Vec2 p : points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }
   return box;
+}
+
+Box united(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+/// True when test(p, q) is for two parts whose boxes touch. Parts are sorted, so each needs to look
+/// at few others.
+template <class Test>
+bool anyPair(const Footprint& first, const Footprint& second, Test test) {
+  if (!doTouch(first.box, second.box)) return false;
+  for (const FootprintPart& p : first.parts) {
+    if (!doTouch(p.box, second.box)) continue;
+    for (const FootprintPart& q : second.parts) {
+      if (q.box.low.x > p.box.high.x) break;
+      if (doTouch(p.box, q.box) && test(p.points, q.points)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -36,36 +54,31 @@ const Footprint& PlaneView::footprint(FacetId facet) {
     points.reserve(part.points.size());
     for (const Vec2 p : part.points) points.push_back(toPlane(pose.apply(p)));
     if (isFlipped) std::reverse(points.begin(), points.end());
-    result.parts.push_back(std::move(points));
+    const Box box = boxOf(points);
+    result.box = result.parts.empty() ? box : united(result.box, box);
+    result.parts.push_back({std::move(points), box});
   }
-  result.box = boxOf(result.parts);
+  std::stable_sort(
+      result.parts.begin(), result.parts.end(),
+      [](const FootprintPart& a, const FootprintPart& b) { return a.box.low.x < b.box.low.x; });
   return result;
 }
 
 bool PlaneView::doOverlap(FacetId a, FacetId b) {
-  const Footprint& first = footprint(a);
-  const Footprint& second = footprint(b);
-  if (!doTouch(first.box, second.box)) return false;
-  for (const auto& p : first.parts) {
-    for (const auto& q : second.parts) {
-      if (overlap(p, q, tolerance().fat())) return true;
-    }
-  }
-  return false;
+  const double fat = tolerance().fat();
+  return anyPair(
+      footprint(a), footprint(b),
+      [fat](const std::vector<Vec2>& p, const std::vector<Vec2>& q) { return overlap(p, q, fat); });
 }
 
 bool PlaneView::doOverlapLeftOf(FacetId f, FacetId g, Vec2 a, Vec2 direction) {
-  const Footprint& first = footprint(f);
-  const Footprint& second = footprint(g);
-  if (!doTouch(first.box, second.box)) return false;
-  for (const auto& p : first.parts) {
-    const std::vector<Vec2> half = clipLeft(p, a, a + direction, tolerance().length());
-    if (half.size() < 3) continue;
-    for (const auto& q : second.parts) {
-      if (overlap(half, q, tolerance().fat())) return true;
-    }
-  }
-  return false;
+  const Tolerance& tol = tolerance();
+  return anyPair(footprint(f), footprint(g),
+                 [&](const std::vector<Vec2>& p, const std::vector<Vec2>& q) {
+                   if (!overlap(p, q, tol.fat())) return false;
+                   const std::vector<Vec2> half = clipLeft(p, a, a + direction, tol.length());
+                   return half.size() >= 3 && overlap(half, q, tol.fat());
+                 });
 }
 
 }  // namespace kiri

@@ -10,9 +10,15 @@
 
 namespace kiri {
 
-/// The ground a facet covers, in plane coordinates: convex parts and their box.
+/// One convex part of the ground a facet covers, counter-clockwise, in plane coordinates.
+struct FootprintPart {
+  std::vector<Vec2> points;
+  Box box;
+};
+
+/// The ground a facet covers: parts sorted by the left sides of their boxes, and the box of all.
 struct Footprint {
-  std::vector<std::vector<Vec2>> parts;  ///< convex, counter-clockwise
+  std::vector<FootprintPart> parts;
   Box box;
 };
 

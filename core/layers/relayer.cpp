@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/geometry/arc_range.h"
+#include "core/layers/hinge_checks.h"
 #include "core/layers/merge_orders.h"
 #include "core/layers/plane_view.h"
 
@@ -50,18 +52,14 @@ struct Sides {
 
 Sides sidesOf(const CreasePattern& pattern, FacetId facet, const Rigid& pose, const Lift& lift) {
   const double tol = pattern.tolerance.match();
+  // The lift is linear over the paper: its value at the origin, and its growth along x and y.
+  const double base = lift.at(pose.origin);
+  const Vec2 growth{lift.at(pose.origin + pose.x) - base, lift.at(pose.origin + pose.y) - base};
   Sides sides;
-  const auto note = [&](Vec2 p) {
-    const double v = lift.at(pose.apply(p));
-    sides.isUp = sides.isUp || v > tol;
-    sides.isDown = sides.isDown || v < -tol;
-  };
   for (const EdgeUse use : pattern[facet].border) {
-    note(pattern[startOf(pattern, use)]);
-    const Edge& edge = pattern[use.edge];
-    if (!edge.isCurved()) continue;
-    note(pattern.curves[edge.curve].control1);
-    note(pattern.curves[edge.curve].control2);
+    const Range range = rangeAlong(arcOf(pattern, use), growth);
+    sides.isUp = sides.isUp || base + range.high > tol;
+    sides.isDown = sides.isDown || base + range.low < -tol;
   }
   return sides;
 }
@@ -107,6 +105,7 @@ class Relayering {
       }
       if (ground != nullptr) {
         land(std::move(set), *ground);
+        checkStanding(*ground);
       } else {
         landed_.push_back(std::move(set));
       }
@@ -214,6 +213,23 @@ class Relayering {
     merged.insert(merged.end(), fromAbove.begin(), fromAbove.end());
     ground.upward = std::move(merged);
     ground.exceptions.insert(set.exceptions.begin(), set.exceptions.end());
+  }
+
+  /// Paper that stands on a plane must not pierce what has landed with it there, or on it.
+  void checkStanding(const LayerSet& set) {
+    const std::vector<Standing> standing = standingOn(state_.pattern, after_, set);
+    if (standing.empty()) return;
+    const LayerOrder order({set});
+    for (const Standing& hinge : standing) {
+      for (const FacetId f : set.upward) {
+        if (moves_[f.index] == moves_[hinge.lying.index]) continue;
+        if (order.isAbove(hinge.lying, f) == hinge.goesUp) continue;
+        if (!runsThrough(state_.pattern, after_[f.index], f, hinge.from, hinge.to)) continue;
+        const bool isFixedMoving = moves_[f.index];
+        report(CollisionMoment::End, isFixedMoving ? f : hinge.leaving,
+               isFixedMoving ? hinge.leaving : f);
+      }
+    }
   }
 
   /// The general case: relations pair by pair, then a list that fits them as far as a list can.

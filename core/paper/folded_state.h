@@ -32,7 +32,8 @@ struct Rest {
 /// When in a motion one layer meets another.
 enum class CollisionMoment {
   Start,  ///< a moving facet lies on the wrong side of a fixed one as the motion begins
-  End,    ///< a moving facet arrives on both sides of a fixed one, or between its layers
+  End,  ///< a moving facet arrives on both sides of a fixed one, or one pierces the other where it
+        ///< lands
   Hinge,  ///< a hinge would turn past 180 degrees, through itself
 };
 
