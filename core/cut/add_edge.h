@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/fold/fold.h"
+#include "core/paper/facet_line.h"
 #include "core/paper/folded_state.h"
 
 namespace kiri {

@@ -189,13 +189,6 @@ Vec3 upOf(const FoldedState& state, FacetId facet) {
   return normal.z < -kSamePlane ? -normal : normal;
 }
 
-FacetLine lineOn(const FoldedState& state, const FacetLine& line, FacetId facet) {
-  if (facet == line.facet) return line;
-  const Rigid& from = state.poseOf(line.facet);
-  const Rigid& to = state.poseOf(facet);
-  return {facet, to.pullBack(from.apply(line.from)), to.pullBack(from.apply(line.to))};
-}
-
 Result<FoldedState> fold(const FoldedState& state, const FoldRequest& request) {
   return Folding(state, request).run();
 }

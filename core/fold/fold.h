@@ -6,16 +6,10 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/paper/facet_line.h"
 #include "core/paper/folded_state.h"
 
 namespace kiri {
-
-/// A directed segment in the paper frame of one facet; it may lie beyond the facet.
-struct FacetLine {
-  FacetId facet;
-  Vec2 from;
-  Vec2 to;
-};
 
 /// What to fold. Left and right of the line, valley and mountain are as seen from the front of the
 /// model (from the facet's own front where its plane stands upright).
@@ -34,9 +28,6 @@ struct FoldRequest {
 /// plane that looks to the viewer of the front, or the facet's own front where the plane stands
 /// upright.
 Vec3 upOf(const FoldedState& state, FacetId facet);
-
-/// The line in the paper frame of another facet of the same plane.
-FacetLine lineOn(const FoldedState& state, const FacetLine& line, FacetId facet);
 
 /// Creases the layers along the line and rotates the paper joined to the moving side. Facets that
 /// the segment does not cross are not split; where it runs along existing hinges, these become part
