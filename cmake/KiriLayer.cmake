@@ -63,7 +63,16 @@ function(kiri_layer folder)
     set(own INTERFACE)
   endif()
   target_include_directories(${target} ${scope} ${root})
-  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${root} FILES ${headers})
+  # A header with a source of the same name is the first that its source includes (tools/check_architecture.py
+  # sees to it), so it has proved that it compiles on its own. The others are compiled by themselves.
+  set(alone)
+  foreach(header IN LISTS headers)
+    string(REGEX REPLACE "\\.h$" ".cpp" source ${header})
+    if(NOT source IN_LIST sources)
+      list(APPEND alone ${header})
+    endif()
+  endforeach()
+  target_sources(${target} ${scope} FILE_SET header_only TYPE HEADERS BASE_DIRS ${root} FILES ${alone})
 
   foreach(used IN LISTS KIRI_USES_${folder})
     kiri_target_name(${used} used_target)

@@ -38,9 +38,10 @@ show_progress() {
   return 0
 }
 
-# Prints what went wrong: the end of the log without the progress lines.
+# Prints what went wrong: the log from the first failure on, without the commands that were run.
 show_failure() {
-  grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking|Generating|Scanning)|^/usr/.*-c ' "$KIRI_LOG" | tail -n 40 >&2
+  { grep -m 1 -A 100000 -E '^FAILED|^CMake Error|^E: |error' "$KIRI_LOG" || cat "$KIRI_LOG"; } |
+    grep -vE '^\[[0-9]+/[0-9]+\] |^(: && )?/usr/.* -[oc] |^-- ' | tail -n 60 >&2
   say "the whole log: $KIRI_LOG"
 }
 

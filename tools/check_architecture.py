@@ -134,8 +134,24 @@ def check_code(root, path, layer, layers):
         for word in sorted(layer.forbidden):
             if re.search(FORBIDDEN[word], line):
                 yield f"{where}:{number}: {layer.name} must not mention {word}"
+        if re.search(r"\breinterpret_cast<(?!(?:const )?(?:unsigned )?char\s*\*>)", line):
+            yield f"{where}:{number}: a cast between object types, which no sanitizer looks into"
         if where not in TOLERANCE_FILES and RAW_TOLERANCE.search(line):
             yield f"{where}:{number}: a bare tolerance; name it in core/geometry/tolerance.h with its reason"
+
+
+def check_first_include(root, path):
+    """A source includes its own header first, which proves that the header compiles on its own."""
+    header = path.with_suffix(".h")
+    if path.suffix != ".cpp" or not header.is_file():
+        return
+    wanted = header.relative_to(root).as_posix()
+    for line in path.read_text(encoding="utf-8").splitlines():
+        include = INCLUDE.match(line)
+        if include:
+            if include[2] != wanted:
+                yield f'{path.relative_to(root)}: the first include must be "{wanted}"'
+            return
 
 
 def check_text(root, path):
@@ -173,6 +189,7 @@ def check(root):
         layer = layers.get(path.parent.relative_to(root).as_posix())
         if layer:
             problems += check_code(root, path, layer, layers)
+            problems += check_first_include(root, path)
     others = [p for top in ("tests", "benchmarks", "examples", "tools") if (root / top).is_dir()
               for p in sorted((root / top).rglob("*")) if p.suffix in CODE + (".py", ".sh")]
     for path in files + others:

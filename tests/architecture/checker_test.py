@@ -115,6 +115,14 @@ class Checker(unittest.TestCase):
         self.finds("core/paper/sheet.cpp", '#include "core/paper/sheet.h"\n', "SPDX")
         self.finds("core/paper/sheet.h", HEAD, "#pragma once")
 
+    def test_finds_a_source_that_does_not_begin_with_its_header(self):
+        text = HEAD + '#include "core/base/vec.h"\n#include "core/paper/sheet.h"\n'
+        self.finds("core/paper/sheet.cpp", text, "first include")
+
+    def test_finds_a_cast_between_object_types(self):
+        self.adds("io/read.cpp", "auto p = reinterpret_cast<Vec2*>(q);", "cast")
+        self.assertEqual(problems_with(files={"io/read.cpp": HEAD + "auto p = reinterpret_cast<const char*>(q);"}), [])
+
     def test_finds_unfinished_work(self):
         self.adds("io/read.cpp", "// TO" + "DO: later", "issue")
 
