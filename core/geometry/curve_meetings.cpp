@@ -103,9 +103,11 @@ class Search {
 
   void run(const Piece& a, const Piece& b) {
     std::vector<std::pair<Piece, Piece>> open{{a, b}};
-    // Far more than crossings need; reached only by arcs that run side by side, hardly more than
-    // `nearness` apart.
-    for (int budget = 1 << 15; budget > 0 && !open.empty(); --budget) {
+    // Far more than crossings and touches need; reached only by arcs that run side by side for a
+    // long way, hardly more than `nearness` apart.
+    constexpr int kMostPairs = 1 << 14;
+    constexpr std::size_t kMostPlaces = 128;
+    for (int i = 0; i < kMostPairs && !open.empty() && found_.size() < kMostPlaces; ++i) {
       const auto [p, q] = open.back();
       open.pop_back();
       if (areApart(p, q, nearness_) || isSettled(p, q)) continue;
@@ -138,7 +140,11 @@ class Search {
   static bool holds(Span s, double t) { return s.low <= t && t <= s.high; }
 
   void note(Meeting m) {
-    if (distance(pointAt(a_, m.t), pointAt(b_, m.u)) <= nearness_) found_.push_back(m);
+    if (distance(pointAt(a_, m.t), pointAt(b_, m.u)) > nearness_) return;
+    const auto isSame = [&](const Meeting& other) {
+      return std::abs(other.t - m.t) <= kParallel && std::abs(other.u - m.u) <= kParallel;
+    };
+    if (std::none_of(found_.begin(), found_.end(), isSame)) found_.push_back(m);
   }
 
   /// Newton's method for a(t) = b(u).
@@ -184,10 +190,10 @@ class Search {
     const double reach = 2 * std::max(p.size(), q.size());
     const bool stayed = distance(pointAt(a_, m.t), pointAt(a_, start.t)) <= reach;
     if (stayed && distance(pointAt(a_, m.t), pointAt(b_, m.u)) <= nearness_) {
-      found_.push_back(m);
+      note(m);
     } else if (const std::optional<Meeting> crossing = crossingNear(start)) {
       const bool isHere = distance(pointAt(a_, crossing->t), pointAt(a_, start.t)) <= reach;
-      if (isHere) found_.push_back(*crossing);
+      if (isHere) note(*crossing);
     } else {
       noteNearest(p, q);
     }

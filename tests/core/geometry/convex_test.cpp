@@ -1,11 +1,7 @@
-// Clipping of convex polygons against exact arithmetic and against properties.
+// Clipping of convex polygons: properties, and the tolerances on both sides.
 // SPDX-License-Identifier: MIT
 #include "core/geometry/convex.h"
 
-#include <CGAL/Boolean_set_operations_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_with_holes_2.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -16,69 +12,16 @@ namespace kiri {
 namespace {
 
 using test::Random;
+using test::randomConvex;
 
 constexpr double kSize = 141.4;
 constexpr double kEps = 1e-10 * kSize;
 constexpr double kFat = 1e-7 * kSize;
 
-/// Corners on an ellipse: convex, from slender to round.
-std::vector<Vec2> randomConvex(Random& random, int corners) {
-  std::vector<double> turns(static_cast<std::size_t>(corners));
-  for (double& t : turns) t = random.in(0, 1);
-  std::sort(turns.begin(), turns.end());
-  const Vec2 centre = random.point();
-  const Vec2 u = test::polar(random.in(0.1, 60), random.in(0, 1));
-  const Vec2 v = perpendicular(u) * random.in(0.01, 1);
-  std::vector<Vec2> points;
-  for (const double t : turns) {
-    const Vec2 p = test::polar(1, t);
-    points.push_back(centre + u * p.x + v * p.y);
-  }
-  return points;
-}
-
-double exactArea(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
-  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-  const auto polygonOf = [](const std::vector<Vec2>& points) {
-    CGAL::Polygon_2<Kernel> polygon;
-    for (const Vec2 p : points) polygon.push_back({p.x, p.y});
-    return polygon;
-  };
-  std::vector<CGAL::Polygon_with_holes_2<Kernel>> common;
-  CGAL::intersection(polygonOf(a), polygonOf(b), std::back_inserter(common));
-  double sum = 0;
-  for (const auto& part : common) sum += CGAL::to_double(part.outer_boundary().area());
-  return sum;
-}
-
-bool isConvex(const std::vector<Vec2>& p) {
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec2 a = p[(i + 1) % p.size()] - p[i];
-    const Vec2 b = p[(i + 2) % p.size()] - p[(i + 1) % p.size()];
-    if (cross(a, b) < -kEps * (length(a) + length(b))) return false;
-  }
-  return true;
-}
-
 TEST(SignedArea, IsPositiveCounterClockwise) {
   const std::vector<Vec2> square{{0, 0}, {2, 0}, {2, 3}, {0, 3}};
   EXPECT_EQ(signedArea(square), 6);
   EXPECT_EQ(signedArea(std::vector<Vec2>(square.rbegin(), square.rend())), -6);
-}
-
-TEST(Intersection, HasTheAreaThatExactArithmeticFinds) {
-  Random random(1);
-  int met = 0;
-  for (int i = 0; i < 300; ++i) {
-    const std::vector<Vec2> a = randomConvex(random, random.count(3, 9));
-    const std::vector<Vec2> b = randomConvex(random, random.count(3, 9));
-    const std::vector<Vec2> common = intersection(a, b, kEps);
-    const double exact = exactArea(a, b);
-    EXPECT_NEAR(common.empty() ? 0 : signedArea(common), exact, 300 * kEps) << i;
-    EXPECT_TRUE(isConvex(common)) << i;
-    if (!common.empty()) ++met;
-  }
-  EXPECT_GT(met, 50);
 }
 
 TEST(Intersection, DoesNotDependOnTheOrder) {

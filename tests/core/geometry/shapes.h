@@ -130,4 +130,20 @@ inline Loop comb(Random& random, int teeth) {
   return loopThrough(p);
 }
 
+/// Corners on an ellipse: convex, from slender to round.
+inline std::vector<Vec2> randomConvex(Random& random, int corners) {
+  std::vector<double> turns(static_cast<std::size_t>(corners));
+  for (double& t : turns) t = random.in(0, 1);
+  std::sort(turns.begin(), turns.end());
+  const Vec2 centre = random.point();
+  const Vec2 u = polar(random.in(0.1, 60), random.in(0, 1));
+  const Vec2 v = perpendicular(u) * random.in(0.01, 1);
+  std::vector<Vec2> points;
+  for (const double t : turns) {
+    const Vec2 p = polar(1, t);
+    points.push_back(centre + u * p.x + v * p.y);
+  }
+  return points;
+}
+
 }  // namespace kiri::test
