@@ -1,4 +1,4 @@
-// Lists of step numbers as people write them: "first,2,4-7,last".
+// Lists of panel numbers as people write them: "first,2,4-7,last".
 // SPDX-License-Identifier: MIT
 #include "apps/cli/number_list.h"
 
@@ -10,7 +10,7 @@ namespace kiri::cli {
 namespace {
 
 std::optional<std::size_t> numberOf(const std::string& text, std::size_t last) {
-  if (text == "first") return 0;
+  if (text == "first") return 1;
   if (text == "last") return last;
   constexpr std::size_t kMostDigits = 9;
   if (text.empty() || text.size() > kMostDigits) return std::nullopt;
@@ -33,7 +33,7 @@ Result<std::vector<std::size_t>> parseNumberList(const std::string& text, std::s
     at = end + 1;
     const std::size_t dash = part.find('-');
     const bool isAll = part == "all";
-    const std::optional<std::size_t> from = isAll ? 0 : numberOf(part.substr(0, dash), last);
+    const std::optional<std::size_t> from = isAll ? 1 : numberOf(part.substr(0, dash), last);
     const std::optional<std::size_t> to = isAll ? last
                                           : dash == std::string::npos
                                               ? from
@@ -41,12 +41,12 @@ Result<std::vector<std::size_t>> parseNumberList(const std::string& text, std::s
     if (!from || !to) {
       return Error{ErrorCode::BadValue,
                    "\"" + part + "\" in \"" + text +
-                       "\" is no step; write numbers, ranges and names like first,2,4-7,last"};
+                       "\" is no panel; write numbers, ranges and names like first,2,4-7,last"};
     }
-    if (*from > last || *to > last) {
-      return Error{ErrorCode::BadValue, "there is no step " + std::to_string(std::max(*from, *to)) +
-                                            "; the steps are 0 (the sheet) to " +
-                                            std::to_string(last)};
+    for (const std::size_t number : {*from, *to}) {
+      if (number >= 1 && number <= last) continue;
+      return Error{ErrorCode::BadValue, "there is no panel " + std::to_string(number) +
+                                            "; the panels are 1 to " + std::to_string(last)};
     }
     if (*from > *to) {
       return Error{ErrorCode::BadValue,

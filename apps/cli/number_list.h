@@ -1,4 +1,4 @@
-// Lists of step numbers as people write them: "first,2,4-7,last".
+// Lists of panel numbers as people write them: "first,2,4-7,last".
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -79,7 +79,12 @@ std::string sentenceFor(CLI::App& app, const std::vector<std::string>& arguments
     return "there is no option " + name +
            (meant.empty() ? "; see " + help : "; did you mean " + meant + "?");
   }
-  return std::string(problem.what()) + "; see " + help;
+  std::string sentence = problem.what();
+  const std::string marker = "Could not convert: ";
+  if (sentence.rfind(marker, 0) == 0) {
+    sentence = sentence.substr(marker.size()) + " is no number that fits here";
+  }
+  return sentence + "; see " + help;
 }
 
 void describe(CLI::App& app, Console& console) {

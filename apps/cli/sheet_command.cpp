@@ -71,10 +71,14 @@ int run(Console& console, const SheetOptions& options) {
   scene.view = options.view == "back" ? backView() : frontView();
   std::size_t last = input->model.steps.size();
   if (!options.steps.empty()) {
-    const auto list = parseNumberList(options.steps, last);
-    if (!list.isOk()) return fail(console, kBadUsage, "--steps: " + list.error().message);
-    scene.states = *list;
-    last = *std::max_element(list->begin(), list->end());
+    const auto panels = parseNumberList(options.steps, last + 1);
+    if (!panels.isOk()) return fail(console, kBadUsage, "--steps: " + panels.error().message);
+    last = 0;
+    for (const std::size_t panel : *panels) {
+      // Panel n shows the paper before step n; the one after all steps has the next number.
+      scene.states.push_back(panel - 1);
+      last = std::max(last, panel - 1);
+    }
   }
   const Result<Replay> replay = replayFirst(console, *input, last);
   if (!replay.isOk()) return fail(console, replay.error());
@@ -97,7 +101,8 @@ void addSheetCommand(CLI::App& app, Console& console, int& code) {
   const auto options = std::make_shared<SheetOptions>();
   command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
   command
-      ->add_option("--steps", options->steps, "which panels, like first,2,4-7,last (default: all)")
+      ->add_option("--steps", options->steps,
+                   "which panels, by their numbers, like first,3-5,last (default: all)")
       ->type_name("LIST");
   command->add_option("--view", options->view, "front or back (default front)")->type_name("VIEW");
   command->add_option("--columns", options->columns, "panels in a row (default: as fits)")
@@ -111,7 +116,7 @@ void addSheetCommand(CLI::App& app, Console& console, int& code) {
   command->footer(
       "Examples:\n"
       "  kiri sheet leaf.kiri -o leaf.pdf\n"
-      "  kiri sheet leaf.kiri --steps 1,4-7,last --columns 3 -o leaf.svg\n"
+      "  kiri sheet leaf.kiri --steps first,4-7,last --columns 3 -o leaf.svg\n"
       "  kiri sheet leaf.kiri --style diagram --background \"#ffffff\" -o leaf.png");
   command->callback([&console, &code, options] { code = run(console, *options); });
 }

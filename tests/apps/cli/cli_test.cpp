@@ -1,0 +1,358 @@
+// The command line as a person or a script meets it: what it writes, says and returns.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "apps/cli/run.h"
+
+namespace kiri::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Answer {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+struct Setting {
+  std::string input;
+  bool showsProgress = false;
+  bool isCancelled = false;
+};
+
+Answer kiri(const std::vector<std::string>& arguments, const Setting& setting = {}) {
+  std::istringstream in(setting.input);
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{in, out, err, setting.showsProgress, [&] { return setting.isCancelled; }};
+  Answer answer;
+  answer.code = run(arguments, console);
+  answer.out = out.str();
+  answer.err = err.str();
+  return answer;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+constexpr const char* kHalf =
+    R"({"do": "fold", "name": "half", "line": {"paper": [[50, 0], [50, 100]]}, "type": "valley", "move": "left"})";
+/// Folds the upper layer down through the lower one.
+constexpr const char* kThrough =
+    R"({"do": "fold", "name": "through", "line": {"model": [[75, 0], [75, 100]]}, "type": "mountain",
+        "layers": {"top": 1}, "move": {"point": [90, 50]}})";
+constexpr const char* kMissing =
+    R"({"do": "angle", "title": "Open it", "fold": "nothing", "angle": 90})";
+
+std::string model(const std::string& steps, const std::string& more = "") {
+  return R"({"format": "kiri", "version": 1, "title": "Test", "sheet": {"shape": "square", "side": 100},)" +
+         more + "\n\"steps\": [" + steps + "]}";
+}
+
+/// A folder of its own for each test.
+class Cli : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "kiri-cli-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string put(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return path(name);
+  }
+  std::string get(const std::string& name) const {
+    std::ifstream in(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::size_t fileCount() const {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
+    return count;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(Cli, ExplainsEveryCommandWithExamples) {
+  EXPECT_EQ(kiri({"--help"}).code, kDone);
+  EXPECT_TRUE(holds(kiri({"--help"}).out, "Exit codes:"));
+  EXPECT_TRUE(holds(kiri({"--version"}).out, "KiriSim"));
+  for (const std::string command : {"render", "sheet", "info", "steps", "export", "resolve"}) {
+    const Answer answer = kiri({command, "--help"});
+    EXPECT_EQ(answer.code, kDone) << command;
+    EXPECT_TRUE(holds(answer.out, "Examples:\n  kiri " + command)) << answer.out;
+    EXPECT_EQ(answer.err, "");
+  }
+}
+
+TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
+  const std::string file = put("m.kiri", model(kHalf));
+  const std::string out = path("o.png");
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string sentence;
+  };
+  const std::vector<Case> cases = {
+      {{}, "say what to do; see kiri --help"},
+      {{"redner", file}, "there is no command \"redner\"; did you mean \"render\"?"},
+      {{"unknowable"}, "there is no command \"unknowable\"; see kiri --help"},
+      {{"--hepl"}, "there is no option --hepl; did you mean --help?"},
+      {{"render", file, "--setp", "1", "-o", out},
+       "there is no option --setp; did you mean --step?"},
+      {{"render", file}, "--output is required"},
+      {{"render"}, "see kiri render --help"},
+      {{"info"}, "MODEL is required"},
+      {{"info", file, "--step", "two"}, "--step = two is no number that fits here"},
+      {{"info", file, "--step", "2"}, "has 1 step, so --step takes 0 (the sheet) to 1"},
+      {{"info", file, "--step", "-1"}, "there is no step -1"},
+      {{"render", file, "-o", path("o.gif")},
+       "ends in .gif; this command writes .svg, .png or .pdf"},
+      {{"render", file, "-o", path("o")}, "has no ending; this command writes"},
+      {{"render", file, "-o", "-"}, "add --format svg, png or pdf"},
+      {{"render", file, "-o", out, "--format", "tiff"},
+       "--format tiff is not known here; it takes svg, png or pdf"},
+      {{"render", file, "-o", out, "--view", "top"},
+       "--view top is not known; it takes front, back or pattern"},
+      {{"render", file, "-o", out, "--style", "x"}, "--style x is not known"},
+      {{"render", file, "-o", out, "--dpi", "0"}, "--dpi must lie between 1 and 10000"},
+      {{"render", file, "-o", out, "--dpi", "nan"}, "--dpi must lie between"},
+      {{"render", file, "-o", out, "--scale", "0"}, "--scale must be above 0"},
+      {{"render", file, "-o", out, "--margin", "-1"}, "--margin must lie between"},
+      {{"render", file, "-o", out, "--grid", "-1"}, "--grid must lie between"},
+      {{"render", file, "-o", out, "--background", "white"}, "--background white is no colour"},
+      {{"render", file, "-o", out, "--lines-only"}, "--lines-only goes with --view pattern"},
+      {{"sheet", file, "-o", out, "--steps", "1-x"}, "--steps: \"1-x\" in \"1-x\" is no panel"},
+      {{"sheet", file, "-o", out, "--steps", "3"}, "there is no panel 3; the panels are 1 to 2"},
+      {{"sheet", file, "-o", out, "--steps", "0"}, "there is no panel 0"},
+      {{"sheet", file, "-o", out, "--steps", "2-1"}, "runs backwards"},
+      {{"sheet", file, "-o", out, "--view", "pattern"}, "it takes front or back"},
+      {{"sheet", file, "-o", out, "--columns", "-1"}, "--columns must lie between"},
+      {{"sheet", file, "-o", out, "--width", "1"}, "--width must lie between"},
+      {{"sheet", file, "-o", out, "--panel", "0"}, "--panel must be above 0"},
+      {{"export", file, "-o", path("o.stl")}, "this command writes .fold, .svg or .obj"},
+      {{"export", file, "-o", path("o.svg"), "--view", "folded"},
+       "for the folded model use kiri render"},
+      {{"export", file, "-o", path("o.fold"), "--as-folded"},
+       "--as-folded goes with --view pattern"},
+      {{"export", file, "-o", path("o.fold"), "--two-sided"}, "go with obj"},
+      {{"export", file, "-o", path("o.obj"), "--layer-gap", "-1"}, "--layer-gap must lie between"},
+      {{"export", file, "-o", path("o.fold"), "--view", "flat"}, "it takes folded or pattern"},
+  };
+  for (const Case& one : cases) {
+    const Answer answer = kiri(one.arguments);
+    EXPECT_EQ(answer.code, kBadUsage) << one.sentence << "\n" << answer.err;
+    EXPECT_TRUE(holds(answer.err, one.sentence)) << answer.err << "should say: " << one.sentence;
+    EXPECT_EQ(answer.err.rfind("error: ", 0), 0u) << answer.err;
+    EXPECT_EQ(answer.out, "");
+  }
+  EXPECT_EQ(fileCount(), 1u) << "nothing was written";
+}
+
+TEST_F(Cli, SaysWhatIsWrongWithAModel) {
+  const Answer missing = kiri({"info", path("nothing.kiri")});
+  EXPECT_EQ(missing.code, kBadModel);
+  EXPECT_TRUE(holds(missing.err, "nothing.kiri: there is no such file")) << missing.err;
+  EXPECT_TRUE(holds(kiri({"info", path("")}).err, "it is a folder"));
+  const Answer broken = kiri({"info", put("b.kiri", "{")});
+  EXPECT_EQ(broken.code, kBadModel);
+  EXPECT_TRUE(holds(broken.err, "b.kiri:1:2: this is not valid JSON")) << broken.err;
+  const Answer sheet = kiri({"info", "-"}, {R"({"format": "kiri", "version": 1, "steps": [],
+    "sheet": {"shape": "polygon", "outline": [[0, 0], [10, 10], [10, 0], [0, 10]]}})"});
+  EXPECT_EQ(sheet.code, kBadModel);
+  EXPECT_TRUE(holds(sheet.err, "standard input: sheet: ")) << sheet.err;
+}
+
+TEST_F(Cli, NamesTheStepThatDoesNotApplyAndWorksBeforeIt) {
+  const std::string file = put("m.kiri", model(std::string(kHalf) + "," + kMissing));
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"render", file, "-o", path("o.svg")},
+                                             {"sheet", file, "-o", path("o.svg")},
+                                             {"export", file, "-o", path("o.fold")},
+                                             {"resolve", file, "-o", path("o.kiri")},
+                                             {"info", file}}) {
+    const Answer answer = kiri(command);
+    EXPECT_EQ(answer.code, kBadModel) << command[0];
+    EXPECT_TRUE(holds(answer.err, "m.kiri: step 2 (angle \"Open it\"): ")) << answer.err;
+  }
+  EXPECT_EQ(fileCount(), 1u);
+  EXPECT_EQ(kiri({"render", file, "--step", "1", "-o", path("o.svg")}).code, kDone);
+  EXPECT_EQ(kiri({"sheet", file, "--steps", "1-2", "-o", path("s.svg")}).code, kDone);
+  EXPECT_EQ(kiri({"info", file, "--step", "1"}).code, kDone);
+
+  const Answer steps = kiri({"steps", file, "--json"});
+  EXPECT_EQ(steps.code, kBadModel);
+  const json list = json::parse(steps.out)["steps"];
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0]["applies"], true);
+  EXPECT_EQ(list[1]["applies"], false);
+  EXPECT_TRUE(list[1]["error"].is_string());
+  EXPECT_TRUE(holds(kiri({"steps", file}).out, "2 (angle \"Open it\"): does not apply: "));
+}
+
+TEST_F(Cli, GoesOnAfterACollisionWithAWarning) {
+  const std::string file = put("m.kiri", model(std::string(kHalf) + "," + kThrough));
+  const Answer answer = kiri({"render", file, "-o", path("o.png")});
+  EXPECT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_TRUE(holds(answer.err, "warning: ")) << answer.err;
+  EXPECT_TRUE(holds(answer.err, "m.kiri: step 2 (fold \"through\"): ")) << answer.err;
+  EXPECT_EQ(get("o.png").substr(1, 3), "PNG");
+  const json info = json::parse(kiri({"info", file, "--json"}).out);
+  ASSERT_GE(info["collisions"].size(), 1u);
+  EXPECT_EQ(info["collisions"][0]["step"], 2);
+  EXPECT_TRUE(info["collisions"][0]["message"].is_string());
+}
+
+TEST_F(Cli, PrintsTheFiguresOfAState) {
+  const std::string file = put("m.kiri", model(kHalf));
+  const json folded = json::parse(kiri({"info", file, "--json"}).out);
+  EXPECT_EQ(folded["steps"], 1);
+  EXPECT_EQ(folded["step"], 1);
+  EXPECT_EQ(folded["facets"], 2);
+  EXPECT_EQ(folded["hinges"], 1);
+  EXPECT_EQ(folded["fold_lines"], 1);
+  EXPECT_EQ(folded["pieces"], 1);
+  EXPECT_DOUBLE_EQ(folded["area_mm2"].get<double>(), 10000);
+  EXPECT_EQ(folded["flat"], true);
+  EXPECT_EQ(folded["layers"], 2);
+  EXPECT_EQ(folded["stretch_mm"], 0);
+  EXPECT_EQ(folded["collisions"], json::array());
+  EXPECT_EQ(folded["fold_line_list"][0]["name"], "half");
+  EXPECT_EQ(folded["fold_line_list"][0]["angle"], 180);
+  EXPECT_EQ(folded["model_box_mm"]["low"], json({50, 0, 0}));
+  EXPECT_EQ(folded["model_box_mm"]["high"], json({100, 100, 0}));
+  const json sheet = json::parse(kiri({"info", file, "--step", "0", "--json"}).out);
+  EXPECT_EQ(sheet["facets"], 1);
+  EXPECT_EQ(sheet["layers"], 1);
+  EXPECT_EQ(sheet["fold_lines"], 0);
+  EXPECT_TRUE(holds(kiri({"info", file}).out, "layers      2\n"));
+}
+
+TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
+  const std::string text = model(kHalf);
+  const Answer svg = kiri({"render", "-", "--format", "svg", "-o", "-"}, {text});
+  EXPECT_EQ(svg.code, kDone) << svg.err;
+  EXPECT_EQ(svg.out.rfind("<?xml", 0), 0u);
+  EXPECT_EQ(kiri({"render", "-", "--format", "png", "-o", "-"}, {text}).out.substr(1, 3), "PNG");
+  EXPECT_EQ(kiri({"render", "-", "--format", "pdf", "-o", "-"}, {text}).out.substr(0, 4), "%PDF");
+  EXPECT_EQ(json::parse(kiri({"info", "-", "--json"}, {text}).out)["facets"], 2);
+  EXPECT_EQ(
+      json::parse(kiri({"export", "-", "--format", "fold", "-o", "-"}, {text}).out)["file_spec"],
+      1.2);
+  EXPECT_EQ(kiri({"info", "-", "--json"}, {text}).err, "");
+}
+
+TEST_F(Cli, WritesEveryPicture) {
+  const std::string file = put("m.kiri", model(kHalf));
+  EXPECT_EQ(kiri({"render", file, "-o", path("a.SVG")}).code, kDone);
+  EXPECT_EQ(kiri({"render", file, "--view", "back", "-o", path("b.pdf")}).code, kDone);
+  EXPECT_EQ(kiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
+            kDone);
+  EXPECT_EQ(kiri({"sheet", file, "--columns", "1", "--style", "diagram", "-o", path("d.svg")}).code,
+            kDone);
+  EXPECT_TRUE(holds(get("a.SVG"), "<svg"));
+  EXPECT_EQ(get("b.pdf").substr(0, 4), "%PDF");
+  EXPECT_EQ(get("c.png").substr(1, 3), "PNG");
+  EXPECT_EQ(fileCount(), 5u) << "no temporary file is left";
+}
+
+TEST_F(Cli, DrawsPaperWithoutItsTextureWhenThatCannotBeRead) {
+  const std::string file =
+      put("m.kiri", model(kHalf, R"("paper": {"front": {"texture": "none.png"}},)"));
+  const Answer missing = kiri({"render", file, "-o", path("o.svg")});
+  EXPECT_EQ(missing.code, kDone);
+  EXPECT_TRUE(holds(missing.err, "warning: ") && holds(missing.err, "the texture is left out"))
+      << missing.err;
+  put("none.png", "no image");
+  const Answer broken = kiri({"render", file, "-o", path("o.svg")});
+  EXPECT_EQ(broken.code, kDone);
+  EXPECT_TRUE(holds(broken.err, "none.png is left out: ")) << broken.err;
+}
+
+TEST_F(Cli, SaysWhyItCannotWrite) {
+  const std::string file = put("m.kiri", model(kHalf));
+  const Answer folder = kiri({"render", file, "-o", path("none/o.svg")});
+  EXPECT_EQ(folder.code, kCannotWrite);
+  EXPECT_TRUE(holds(folder.err, "there is no folder ")) << folder.err;
+  fs::create_directory(path("d.svg"));
+  EXPECT_EQ(kiri({"render", file, "-o", path("d.svg")}).code, kCannotWrite);
+  EXPECT_EQ(fileCount(), 2u);
+}
+
+TEST_F(Cli, LeavesNothingBehindWhenItIsStopped) {
+  const std::string file = put("m.kiri", model(kHalf));
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"render", file, "-o", path("o.svg")},
+                                             {"sheet", file, "-o", path("o.svg")},
+                                             {"export", file, "-o", path("o.fold")}}) {
+    const Answer answer = kiri(command, {"", false, true});
+    EXPECT_EQ(answer.code, kCancelled) << command[0];
+    EXPECT_TRUE(holds(answer.err, "stopped; nothing was written"));
+  }
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(Cli, ShowsProgressOnlyWhereItIsWanted) {
+  const std::string file = put("m.kiri", model(kHalf));
+  EXPECT_EQ(kiri({"render", file, "-o", path("o.svg")}).err, "");
+  EXPECT_TRUE(holds(kiri({"render", file, "-o", path("o.svg"), "--progress"}).err, "drawing"));
+  EXPECT_TRUE(holds(kiri({"render", file, "-o", path("o.svg")}, {"", true, false}).err, "folding"));
+}
+
+TEST_F(Cli, KeepsTheModelWhenItsChoicesAreResolved) {
+  const std::string model_ = model(
+      std::string(kHalf) +
+      R"(, {"do": "fold", "line": {"model": [[50, 40], [100, 60]]}, "type": "mountain", "move": {"point": [60, 90]}})");
+  const std::string file = put("m.kiri", model_);
+  ASSERT_EQ(kiri({"resolve", file, "-o", path("r.kiri")}).code, kDone);
+  EXPECT_FALSE(holds(get("r.kiri"), "\"model\"")) << get("r.kiri");
+  json before = json::parse(kiri({"info", file, "--json"}).out);
+  json after = json::parse(kiri({"info", path("r.kiri"), "--json"}).out);
+  before.erase("file");
+  after.erase("file");
+  EXPECT_EQ(before, after);
+  EXPECT_EQ(kiri({"resolve", path("r.kiri"), "-o", "-"}).out, get("r.kiri"))
+      << "resolving again changes nothing";
+}
+
+TEST_F(Cli, ExportsWhatOtherProgramsRead) {
+  const std::string file = put("m.kiri", model(kHalf));
+  ASSERT_EQ(kiri({"export", file, "-o", path("m.fold")}).code, kDone);
+  const json fold = json::parse(get("m.fold"));
+  EXPECT_EQ(fold["file_frames"].size(), 1u);
+  EXPECT_EQ(fold["file_frames"][0]["frame_title"], "step 1 (fold \"half\")");
+  ASSERT_EQ(kiri({"export", file, "--view", "pattern", "-o", path("p.fold")}).code, kDone);
+  EXPECT_FALSE(json::parse(get("p.fold")).contains("file_frames"));
+
+  ASSERT_EQ(kiri({"export", file, "-o", path("m.svg")}).code, kDone);
+  const std::string svg = get("m.svg");
+  EXPECT_TRUE(holds(svg, "width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\"")) << svg;
+  EXPECT_TRUE(
+      holds(svg, "<path d=\"M50 100 L50 0\" data-assignment=\"V\" data-foldAngle=\"180\"") ||
+      holds(svg, "<path d=\"M50 0 L50 100\" data-assignment=\"V\" data-foldAngle=\"180\""))
+      << svg;
+  EXPECT_TRUE(holds(svg, "Z\" data-assignment=\"B\"")) << "the contour is closed";
+
+  ASSERT_EQ(kiri({"export", file, "--layer-gap", "0.5", "-o", path("m.obj")}).code, kDone);
+  const std::string obj = get("m.obj");
+  EXPECT_TRUE(holds(obj, "g facet_0\n") && holds(obj, "g facet_1\n"));
+  EXPECT_TRUE(holds(obj, " 0.5\n")) << "the upper layer is lifted";
+}
+
+}  // namespace
+}  // namespace kiri::cli
