@@ -29,6 +29,15 @@ bool boxesMeet(const Box& a, const Box& b, double reach) {
          a.low.y <= b.high.y + reach && b.low.y <= a.high.y + reach;
 }
 
+/// False when `p` is certainly farther than `reach` from the arc: spares most searches for the
+/// nearest point.
+bool mayReach(const Arc& arc, Vec2 p, double reach, int depth = 8) {
+  if (!boxHolds(boundsOf(arc), p, reach)) return false;
+  if (!arc.isCurved || depth == 0) return true;
+  return mayReach(part(arc, 0, 0.5), p, reach, depth - 1) ||
+         mayReach(part(arc, 0.5, 1), p, reach, depth - 1);
+}
+
 /// Two arcs and what is needed again and again in finding where they meet.
 class Pair {
  public:
@@ -36,10 +45,8 @@ class Pair {
       : a_(a), b_(b), tolerance_(tolerance), reach_(tolerance.length()) {}
 
   std::vector<Meeting> find() {
-    const Box boxA = boundsOf(a_);
-    const Box boxB = boundsOf(b_);
-    if (!boxesMeet(boxA, boxB, reach_)) return {};
-    addEnds(boxA, boxB);
+    if (!boxesMeet(boundsOf(a_), boundsOf(b_), reach_)) return {};
+    addEnds();
     if (!a_.isCurved && !b_.isCurved) {
       // Two lines with an end of one on the other meet nowhere else, or coincide between two ends.
       if (found_.empty()) addLineCrossing();
@@ -53,24 +60,23 @@ class Pair {
   }
 
  private:
-  void addEnds(const Box& boxA, const Box& boxB) {
+  void addEnds() {
     std::array<bool, 2> bIsDone{};
     const std::array<Vec2, 2> endsA{a_.start, a_.end};
     const std::array<Vec2, 2> endsB{b_.start, b_.end};
     for (std::size_t i = 0; i < 2; ++i) {
-      if (!boxHolds(boxB, endsA[i], reach_)) continue;
       bool isDone = false;
       for (std::size_t j = 0; j < 2; ++j) {
         if (distance(endsA[i], endsB[j]) > reach_) continue;
         found_.push_back({static_cast<double>(i), static_cast<double>(j)});
         isDone = bIsDone[j] = true;
       }
-      if (isDone) continue;
+      if (isDone || !mayReach(b_, endsA[i], reach_)) continue;
       const Nearest nearest = nearestOn(b_, endsA[i]);
       if (nearest.distance <= reach_) found_.push_back({static_cast<double>(i), nearest.t});
     }
     for (std::size_t j = 0; j < 2; ++j) {
-      if (bIsDone[j] || !boxHolds(boxA, endsB[j], reach_)) continue;
+      if (bIsDone[j] || !mayReach(a_, endsB[j], reach_)) continue;
       const Nearest nearest = nearestOn(a_, endsB[j]);
       if (nearest.distance <= reach_) found_.push_back({nearest.t, static_cast<double>(j)});
     }
@@ -146,7 +152,9 @@ class Pair {
     if (m.t == n.t || m.u == n.u) return false;
     for (const double s : {0.5, 0.25, 0.75, 0.1, 0.9}) {
       const double t = m.t + (n.t - m.t) * s;
-      const Nearest nearest = nearestOn(b_, pointAt(a_, t));
+      const Vec2 p = pointAt(a_, t);
+      if (!mayReach(b_, p, 2 * reach_)) return false;
+      const Nearest nearest = nearestOn(b_, p);
       if (nearest.distance > 2 * reach_) return false;
       if ((nearest.t - m.u) * (nearest.t - n.u) > kParallel) return false;
     }
