@@ -1,5 +1,5 @@
-// Time to find what is seen of 4,096 and 65,536 facets: near-linear in what is visible (guide/stack.md section 4).
-// SPDX-License-Identifier: MIT
+// Time to find what is seen of 4,096 and 65,536 facets: near-linear in what is visible
+// (guide/stack.md section 4). SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -14,10 +14,10 @@ namespace {
 
 /// How the n x n cells of a sheet lie.
 enum class Lie {
-  Stack,   ///< all on one cell, as after the halving sequence; rounding noise as poses have it
-  Sheet,   ///< side by side, all visible
-  Pleats,  ///< knife pleats in both directions: each cell mostly under its neighbours
-  Scatter, ///< anywhere on the sheet, any angle
+  Stack,    ///< all on one cell, as after the halving sequence; rounding noise as poses have it
+  Sheet,    ///< side by side, all visible
+  Pleats,   ///< knife pleats in both directions: each cell mostly under its neighbours
+  Scatter,  ///< anywhere on the sheet, any angle
 };
 
 void addCell(CreasePattern& pattern, double side, std::size_t i, std::size_t j) {

@@ -33,11 +33,11 @@ struct Appearance {
   /// the back when the sheet is turned over about a vertical line.
   Box textureBox{{0, 0}, {150, 150}};
   LineStyle lineStyle = LineStyle::Thesis;
-  double edgeWidth = 0.35;    ///< visible borders of paper, hinges that are folded, tears
-  double creaseWidth = 0.18;  ///< creases that lie flat again
-  double drawnWidth = 0.5;    ///< the next line, on sheets of steps; lines of the crease pattern
+  double edgeWidth = 0.35;   ///< visible borders of paper, hinges that are folded, tears
+  double creaseWidth = 0.2;  ///< creases that lie flat again
+  double drawnWidth = 0.5;   ///< the next line, on sheets of steps; lines of the crease pattern
   Color edgeColor{30, 30, 30};
-  Color creaseColor{110, 110, 110};
+  Color creaseColor{75, 85, 80};
   bool showEdges = true;
   bool showCreases = true;  ///< creases that lie flat again, and added edges
   double gridSpacing = 0;   ///< mm between the lines of a grid behind the paper; 0: none

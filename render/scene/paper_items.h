@@ -27,7 +27,7 @@ std::vector<Group> paperGroups(const FoldedState& state, const VisibleRegions& r
                                const ViewFrame& view, const Affine& viewToScene,
                                const Appearance& appearance, const std::string& prefix);
 
-/// mm that the underlay of a seam is wide.
-inline constexpr double kSeamWidth = 0.3;
+/// mm that the underlay of a seam is wide: more than two pixels of a coarse screen.
+inline constexpr double kSeamWidth = 1;
 
 }  // namespace kiri

@@ -19,6 +19,7 @@ constexpr double kTextHeight = 3.2;    // mm, titles
 constexpr double kNumberHeight = 4.2;  // mm, numbers of panels
 constexpr double kTitleHeight = 6;     // mm, heading of the page
 constexpr double kLineSpacing = 1.3;
+constexpr Color kInk{20, 20, 20};
 constexpr double kLetterWidth = 0.55;  // of the height, on average
 
 struct Panel {
@@ -203,11 +204,13 @@ class SheetBuilder {
 
   Group headingGroup(const Scene& scene) const {
     const Vec2 at{scene.width / 2, scene.height - options_.gap - kTitleHeight * 0.8};
-    return {
-        "title",
-        "title",
-        {{TextItem{at, scene.title, kTitleHeight, TextAnchor::Middle, true, {}}, "title", "", {}}},
-        {}};
+    return {"title",
+            "title",
+            {{TextItem{at, scene.title, kTitleHeight, TextAnchor::Middle, true, kInk},
+              "title",
+              "",
+              {}}},
+            {}};
   }
 
   void drawPanel(const Panel& panel, const Box& place, Scene& scene) const {
@@ -250,7 +253,13 @@ class SheetBuilder {
       if (!shown.empty()) item.chains.push_back(std::move(shown));
     }
     Group group;
-    if (!item.chains.empty()) group.items.push_back({std::move(item), nameOf(line.kind), "", {}});
+    if (item.chains.empty()) return group;
+    StrokeItem halo = item;  // keeps the line clear of paper of its own colour
+    halo.stroke.color = {255, 255, 255};
+    halo.stroke.width *= 2.2;
+    halo.stroke.dashes.clear();
+    group.items.push_back({std::move(halo), "halo", "", {}});
+    group.items.push_back({std::move(item), nameOf(line.kind), "", {}});
     return group;
   }
 
@@ -260,7 +269,7 @@ class SheetBuilder {
     if (options_.showNumbers) {
       y -= kNumberHeight * kLineSpacing;
       group.items.push_back(
-          {TextItem{{middle, y}, panel.number, kNumberHeight, TextAnchor::Middle, true, {}},
+          {TextItem{{middle, y}, panel.number, kNumberHeight, TextAnchor::Middle, true, kInk},
            "number",
            "",
            {}});
@@ -268,7 +277,7 @@ class SheetBuilder {
     for (const std::string& line : panel.caption) {
       y -= kTextHeight * kLineSpacing;
       group.items.push_back(
-          {TextItem{{middle, y}, line, kTextHeight, TextAnchor::Middle, false, {}},
+          {TextItem{{middle, y}, line, kTextHeight, TextAnchor::Middle, false, kInk},
            "caption",
            "",
            {}});

@@ -1,0 +1,75 @@
+// What is seen of paper that the kernel has folded.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "render/visibility/visible_regions.h"
+#include "tests/render/visibility/stacks.h"
+#include "tests/support/model_text.h"
+#include "tests/support/random_steps.h"
+
+namespace kiri::testing {
+namespace {
+
+void checkPixels(const FoldedState& state, int n) {
+  for (const ViewFrame& view : {frontView(), backView()}) {
+    const VisibleRegions regions = visibleRegions(state, view);
+    expectSound(state, view, regions);
+    expectEqualsPixels(state, view, regions, n);
+  }
+}
+
+TEST(VisibleRegionsOfModels, HalvedSquareShowsOneFacetFromEachSide) {
+  const FoldedState state = test::run(
+      "square 100; fold valley 50,0 50,100 left; fold valley m:50,50 m:100,50 left; fold valley "
+      "m:75,0 m:75,100 left");
+  EXPECT_EQ(state.pattern.facets.size(), 8U);
+  EXPECT_EQ(visibleRegions(state, frontView()).facets.size(), 1U);
+  EXPECT_EQ(visibleRegions(state, backView()).facets.size(), 1U);
+  checkPixels(state, 30);
+}
+
+TEST(VisibleRegionsOfModels, UnfoldedSheetShowsAllFacetsAndPairsItsSeams) {
+  const FoldedState state = test::run(
+      "square 100; fold valley 37,0 61,100 left; fold valley m:20,20 m:95,64 right; unfold all");
+  const VisibleRegions regions = visibleRegions(state, frontView());
+  EXPECT_EQ(regions.facets.size(), state.pattern.facets.size());
+  double sum = 0;
+  for (const VisibleFacet& facet : regions.facets) sum += areaOf(facet);
+  EXPECT_NEAR(sum, 10000, 1e-7);
+  checkPixels(state, 40);
+}
+
+TEST(VisibleRegionsOfModels, PartlyFoldedPaperIsSeenByDepth) {
+  for (const char* angle : {"20", "60", "100", "140", "170"}) {
+    const FoldedState state =
+        test::run(std::string("square 100; fold valley 40,0 60,100 left; angle p:41,5 ") + angle +
+                  "; fold mountain 120 p:70,0 p:95,100 right");
+    checkPixels(state, 40);
+  }
+}
+
+TEST(VisibleRegionsOfModels, RandomModelsEqualThePixelOracle) {
+  int checked = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    test::Random random(seed);
+    const Model model = test::randomSheet(random);
+    FoldedState state = test::startOf(model);
+    for (int i = 0; i < 6; ++i) {
+      const Step step = test::randomStep(random, state, {});
+      if (Result<FoldedState> next = test::tryAfter(state, test::textOf(step)))
+        state = std::move(*next);
+    }
+    if (!state.collisions.empty()) continue;
+    checkPixels(state, 24);
+    ++checked;
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(checked, 20);
+}
+
+}  // namespace
+}  // namespace kiri::testing
