@@ -2,6 +2,7 @@
 # The doors kiri, kirisim and test, as a person meets them.
 # SPDX-License-Identifier: MIT
 
+import json
 import os
 import subprocess
 import tempfile
@@ -57,6 +58,11 @@ class Kiri(unittest.TestCase):
 
 
 class Kirisim(unittest.TestCase):
+    def test_shows_the_steps_that_it_means(self):
+        self.assertIn("--steps 13-15", (ROOT / "kirisim").read_text(encoding="utf-8"))
+        steps = json.loads(LEAF.read_text(encoding="utf-8"))["steps"]
+        self.assertEqual([step["do"] for step in steps[12:15]], ["refold", "curve cut", "unfold"])
+
     def test_draws_the_leaf_and_says_where(self):
         with tempfile.TemporaryDirectory() as folder:
             leaf = run("kirisim", cwd=folder)
