@@ -102,11 +102,15 @@ int run(Console& console, const ExportOptions& options) {
   if (!replay.isOk()) return fail(console, replay.error());
   const auto state = stateAfter(console, *input, *replay, *count);
   if (!state.isOk()) return fail(console, state.error());
-  ProgressLine line(console, "writing");
-  if (!line.update(0)) return fail(console, Error{ErrorCode::Cancelled, "", {}});
-  const Exported exported = *format == "fold"  ? foldOf(*input, *replay, *count, **state, options)
-                            : *format == "svg" ? svgOf(*input, **state, options)
-                                               : objOf(*input, **state, options);
+  if (isCancelled(console)) return fail(console, Error{ErrorCode::Cancelled, "", {}});
+  Exported exported;
+  {
+    ProgressLine line(console, "writing");
+    line.update(0);
+    exported = *format == "fold"  ? foldOf(*input, *replay, *count, **state, options)
+               : *format == "svg" ? svgOf(*input, **state, options)
+                                  : objOf(*input, **state, options);
+  }
   const int written = writeResult(console, options.out, exported.text);
   for (const std::string& loss : exported.losses) console.err << "note: " << loss << '\n';
   return written;

@@ -86,9 +86,12 @@ int run(Console& console, const SheetOptions& options) {
   if (!status.isOk()) return fail(console, status.error());
   const Result<Appearance> appearance = appearanceFor(console, *input, options.picture);
   if (!appearance.isOk()) return fail(console, appearance.error());
-  ProgressLine line(console, "drawing");
-  line.update(0);
-  Result<Scene> page = sheetScene(input->model, *replay, *appearance, scene);
+  const auto draw = [&] {
+    ProgressLine line(console, "drawing");
+    line.update(0);
+    return sheetScene(input->model, *replay, *appearance, scene);
+  };
+  Result<Scene> page = draw();
   if (!page.isOk()) return fail(console, page.error(), kBadUsage);
   return writePicture(console, std::move(*page), options.picture, *format);
 }

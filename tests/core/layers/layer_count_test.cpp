@@ -54,7 +54,7 @@ TEST(LayerCount, CountsOnlyLayersThatShareAPlace) {
                 "rectangle 100 20\nfold a valley 20,0 20,20 left\nfold b valley 80,0 80,20 right")),
             2u);
   EXPECT_EQ(maxLayerCount(test::run(
-                "rectangle 100 20\nfold a valley 40,0 40,20 left\nfold b valley 60,0 60,20 right")),
+                "rectangle 100 20\nfold a valley 30,0 30,20 left\nfold b valley 70,0 70,20 right")),
             3u);
   EXPECT_EQ(maxLayerCount(test::run("rectangle 100 20\nfold a valley 90 40,0 40,20 left")), 1u);
 }
