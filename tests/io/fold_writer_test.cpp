@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,9 @@
 #include <string>
 
 #include "core/model/apply.h"
+#include "core/model/replay.h"
+#include "io/file.h"
+#include "io/kiri_reader.h"
 #include "tests/io/fold_reader.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
@@ -235,6 +239,29 @@ TEST(FoldWriter, DescribesRandomModelsWholly) {
     EXPECT_NEAR(area, areaOf(state.pattern), areaOf(state.pattern) * 1e-4) << about;
     EXPECT_LT(worstCorner(fold), kNear * 100) << about;
   }
+}
+
+TEST(FoldWriter, DescribesEveryStepOfEveryExampleWholly) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(KIRI_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".kiri") continue;
+    const std::string name = entry.path().filename().string();
+    const Result<std::string> text = readFile(entry.path().string());
+    ASSERT_TRUE(text.isOk()) << name;
+    const Result<LoadedModel> loaded = readKiri(*text, name);
+    ASSERT_TRUE(loaded.isOk()) << loaded.error().message;
+    EXPECT_TRUE(loaded->warnings.empty()) << name;
+    const Result<Replay> steps = replay(loaded->model);
+    ASSERT_TRUE(steps.isOk()) << name;
+    for (const StepOutcome& outcome : steps->outcomes) {
+      ASSERT_TRUE(outcome.state) << name << ": " << outcome.error->message;
+      const Written fold = written(*outcome.state);
+      expectWholeMesh(fold.pattern, name);
+      EXPECT_LT(worstCorner(fold), kNear) << name;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 50u);
 }
 
 TEST(FoldWriter, LeavesOutOrdersThatFollowFromOthersInLargeStacks) {
