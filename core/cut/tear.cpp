@@ -225,8 +225,6 @@ Result<FoldedState> mend(const FoldedState& state, const EdgePath& path, const E
   renewRests(next);
   for (const EdgeId id : edges) {
     const Edge& edge = next.pattern[id];
-    const bool isFlatHinge = edge.angle == 0 || std::abs(edge.angle) == 180;
-    if (!isFlatHinge) continue;
     if (const auto between = facetThrough(next, edge)) return blocked(next, edge, *between);
   }
   return next;

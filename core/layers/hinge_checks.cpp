@@ -69,7 +69,48 @@ bool runsThrough(const CreasePattern& pattern, const Rigid& pose, FacetId facet,
   return !chordsOf(pattern, facet, pose.pullBack(from), pose.pullBack(to)).empty();
 }
 
+std::vector<Standing> standingOn(const CreasePattern& pattern, const std::vector<Rigid>& poses,
+                                 const LayerSet& set) {
+  std::vector<Standing> found;
+  for (const FacetId lying : set.upward) {
+    for (const EdgeUse use : pattern[lying].border) {
+      const Edge& edge = pattern[use.edge];
+      if (edge.kind != EdgeKind::Hinge) continue;
+      const FacetId leaving = across(edge, lying);
+      const Rigid& pose = poses[leaving.index];
+      const Vec2 along = pattern[endOf(pattern, use)] - pattern[startOf(pattern, use)];
+      // The facet across lies on the right of the border as this facet runs along it.
+      const double rise = dot(set.normal, pose.direction(-perpendicular(along)));
+      if (std::abs(rise) <= kSamePlane * length(along)) continue;  // lies in the plane as well
+      const Rigid& own = poses[lying.index];
+      found.push_back({lying, leaving, own.apply(pattern[startOf(pattern, use)]),
+                       own.apply(pattern[endOf(pattern, use)]), rise > 0});
+    }
+  }
+  return found;
+}
+
+namespace {
+
+/// A layer through which the paper of a partly folded hinge stands.
+std::optional<FacetId> piercedBy(const FoldedState& state, const Edge& hinge) {
+  for (const FacetId side : {hinge.left, hinge.right}) {
+    const LayerSet& set = state.layers.sets()[state.layers.setOf(side)];
+    for (const Standing& standing : standingOn(state.pattern, state.poses, set)) {
+      if (standing.lying != side || standing.leaving != across(hinge, side)) continue;
+      for (const FacetId f : set.upward) {
+        if (f == side || state.layers.isAbove(side, f) == standing.goesUp) continue;
+        if (runsThrough(state.pattern, state.poseOf(f), f, standing.from, standing.to)) return f;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<FacetId> facetThrough(const FoldedState& state, const Edge& hinge) {
+  if (!state.layers.areCoplanar(hinge.left, hinge.right)) return piercedBy(state, hinge);
   const Segment segment = segmentOf(state, hinge);
   for (const FacetId f : state.layers.sets()[state.layers.setOf(hinge.left)].upward) {
     if (f == hinge.left || f == hinge.right || !isBetween(state, f, hinge)) continue;
@@ -77,26 +118,6 @@ std::optional<FacetId> facetThrough(const FoldedState& state, const Edge& hinge)
   }
   if (std::abs(hinge.angle) == 180) return interleavedWith(state, hinge);
   return std::nullopt;
-}
-
-std::vector<Standing> standingOn(const CreasePattern& pattern, const std::vector<Rigid>& poses,
-                                 const LayerSet& set) {
-  std::vector<Standing> found;
-  for (const FacetId lying : set.upward) {
-    for (const EdgeUse use : pattern[lying].border) {
-      const Edge& edge = pattern[use.edge];
-      if (edge.kind != EdgeKind::Hinge || edge.angle == 0 || std::abs(edge.angle) == 180) continue;
-      const FacetId leaving = across(edge, lying);
-      const Rigid& pose = poses[leaving.index];
-      const Vec2 along = pattern[endOf(pattern, use)] - pattern[startOf(pattern, use)];
-      // The facet across lies on the right of the border as this facet runs along it.
-      const double rise = dot(set.normal, pose.direction(-perpendicular(along)));
-      const Rigid& own = poses[lying.index];
-      found.push_back({lying, leaving, own.apply(pattern[startOf(pattern, use)]),
-                       own.apply(pattern[endOf(pattern, use)]), rise > 0});
-    }
-  }
-  return found;
 }
 
 }  // namespace kiri

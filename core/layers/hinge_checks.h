@@ -8,9 +8,10 @@
 
 namespace kiri {
 
-/// A facet that lies between the two facets of a flat or folded hinge (0, 180 or -180 degrees)
-/// where the hinge runs, so that the hinge goes through it: inside it, or between it and what it is
-/// folded to along the same line. None when the hinge is clear. Source: the taco and tortilla
+/// A facet that is in the way of a hinge. Flat or folded (0, 180 or -180 degrees): it lies between
+/// the two facets where the hinge runs, so that the hinge goes through it: inside it, or between it
+/// and what it is folded to along the same line. At other angles: the paper that stands on the
+/// plane of one facet goes through it. None when the hinge is clear. Source: the taco and tortilla
 /// conditions of flat folding.
 std::optional<FacetId> facetThrough(const FoldedState& state, const Edge& hinge);
 

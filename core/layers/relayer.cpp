@@ -105,12 +105,12 @@ class Relayering {
       }
       if (ground != nullptr) {
         land(std::move(set), *ground);
-        checkStanding(*ground);
       } else {
         landed_.push_back(std::move(set));
       }
     }
     fixed.insert(fixed.end(), landed_.begin(), landed_.end());
+    for (const LayerSet& set : fixed) checkStanding(set);
     return {LayerOrder(std::move(fixed)), std::move(contacts_)};
   }
 
@@ -215,19 +215,22 @@ class Relayering {
     ground.exceptions.insert(set.exceptions.begin(), set.exceptions.end());
   }
 
-  /// Paper that stands on a plane must not pierce what has landed with it there, or on it.
+  /// Paper that stands on a plane must not pierce the layers there, be it that one of them has come
+  /// to lie across its hinge or that it has turned to the other side of the plane.
   void checkStanding(const LayerSet& set) {
     const std::vector<Standing> standing = standingOn(state_.pattern, after_, set);
     if (standing.empty()) return;
     const LayerOrder order({set});
     for (const Standing& hinge : standing) {
+      const bool lyingMoves = moves_[hinge.lying.index];
+      const bool leavingMoves = moves_[hinge.leaving.index];
       for (const FacetId f : set.upward) {
-        if (moves_[f.index] == moves_[hinge.lying.index]) continue;
+        const bool layerMoves = moves_[f.index];
+        if (layerMoves == lyingMoves && layerMoves == leavingMoves) continue;
         if (order.isAbove(hinge.lying, f) == hinge.goesUp) continue;
         if (!runsThrough(state_.pattern, after_[f.index], f, hinge.from, hinge.to)) continue;
-        const bool isFixedMoving = moves_[f.index];
-        report(CollisionMoment::End, isFixedMoving ? f : hinge.leaving,
-               isFixedMoving ? hinge.leaving : f);
+        const FacetId other = layerMoves != leavingMoves ? hinge.leaving : hinge.lying;
+        report(CollisionMoment::End, layerMoves ? f : other, layerMoves ? other : f);
       }
     }
   }
