@@ -10,8 +10,8 @@
 
 namespace kiri {
 
-/// An edge of a region: a straight segment, or a cubic Bezier curve, from `start` to `end`, parameter 0 to 1.
-/// A straight arc ignores its controls.
+/// An edge of a region: a straight segment, or a cubic Bezier curve, from `start` to `end`,
+/// parameter 0 to 1. A straight arc ignores its controls.
 struct Arc {
   Vec2 start;
   Vec2 end;
@@ -44,8 +44,9 @@ Box boundsOf(const Arc& arc);
 double doubleArea(const Arc& arc);
 /// Length of the arc, to about `tolerance`.
 double lengthOf(const Arc& arc, double tolerance);
-/// Parameters 0 = t_0 < ... < t_n = 1 whose chords stay within `chordError` of the arc. A straight arc: {0, 1}.
-/// Depends only on the shape: a mirrored or moved arc is sampled at the same parameters.
+/// Parameters 0 = t_0 < ... < t_n = 1 whose chords stay within `chordError` of the arc. A straight
+/// arc: {0, 1}. Depends only on the shape: a mirrored or moved arc is sampled at the same
+/// parameters.
 std::vector<double> flatteningParameters(const Arc& arc, double chordError);
 /// Parameter of the point of the arc nearest to `p`, and the distance.
 struct Nearest {
@@ -60,13 +61,14 @@ struct Meeting {
   double u = 0;
 };
 
-/// Where arc `a` crosses or touches arc `b`, sorted by t, each place once; ends within `tolerance.length()` of
-/// the other arc are found with their parameter exactly 0 or 1. Stretches along which the arcs coincide give
-/// their two ends. Any mix of straight and curved arcs.
+/// Where arc `a` crosses or touches arc `b`, sorted by t, each place once; ends within
+/// `tolerance.length()` of the other arc are found with their parameter exactly 0 or 1. Stretches
+/// along which the arcs coincide give their two ends. Any mix of straight and curved arcs.
 std::vector<Meeting> meetings(const Arc& a, const Arc& b, const Tolerance& tolerance);
 
-/// Parameters at which the arc crosses or touches the infinite line through `point` along `direction`, sorted.
-/// An arc that lies in the line gives none.
-std::vector<double> lineMeetings(const Arc& arc, Vec2 point, Vec2 direction, const Tolerance& tolerance);
+/// Parameters at which the arc crosses or touches the infinite line through `point` along
+/// `direction`, sorted. An arc that lies in the line gives none.
+std::vector<double> lineMeetings(const Arc& arc, Vec2 point, Vec2 direction,
+                                 const Tolerance& tolerance);
 
 }  // namespace kiri

@@ -6,8 +6,9 @@
 
 namespace kiri {
 
-/// Cosine and sine of an angle in degrees, the same bits on every platform: exact at multiples of 90,
-/// elsewhere within one unit in the last place or two. Uses no library function but sqrt and floor.
+/// Cosine and sine of an angle in degrees, the same bits on every platform: exact at multiples of
+/// 90, elsewhere within one unit in the last place or two. Uses no library function but sqrt and
+/// floor.
 struct CosSin {
   double cos = 1;
   double sin = 0;
@@ -17,8 +18,9 @@ CosSin cosSinDegrees(double degrees);
 /// Angle of the direction (x, y) in degrees, in (-180, 180]; exact for multiples of 90.
 double angleDegrees(double x, double y);
 
-/// A rotation followed by a translation of space. As a pose it takes the paper frame (z = 0, front towards
-/// +z) to the model frame. Columns `x`, `y`, `z` are the images of the axes; `origin` that of (0, 0, 0).
+/// A rotation followed by a translation of space. As a pose it takes the paper frame (z = 0, front
+/// towards +z) to the model frame. Columns `x`, `y`, `z` are the images of the axes; `origin` that
+/// of (0, 0, 0).
 struct Rigid {
   Vec3 x{1, 0, 0};
   Vec3 y{0, 1, 0};
@@ -42,8 +44,9 @@ struct Rigid {
 /// first `b`, then `a`.
 Rigid compose(const Rigid& a, const Rigid& b);
 
-/// Rotation by `degrees`, counter-clockwise seen against `unitAxis`, about the line through `point`.
-/// A rotation by 180 degrees is computed as a reflection in the line; multiples of 90 use no sine.
+/// Rotation by `degrees`, counter-clockwise seen against `unitAxis`, about the line through
+/// `point`. A rotation by 180 degrees is computed as a reflection in the line; multiples of 90 use
+/// no sine.
 Rigid rotationAbout(Vec3 point, Vec3 unitAxis, double degrees);
 
 Rigid translation(Vec3 by);

@@ -4,8 +4,8 @@
 
 namespace kiri {
 
-/// Every tolerance of the kernel, derived from the size of the sheet. A literal like 1e-9 anywhere else is
-/// a defect (DESIGN section 4; a test looks for them).
+/// Every tolerance of the kernel, derived from the size of the sheet. A literal like 1e-9 anywhere
+/// else is a defect (DESIGN section 4; a test looks for them).
 class Tolerance {
  public:
   /// `sheetSize`: diagonal of the sheet's bounding box, mm, > 0.
@@ -20,7 +20,8 @@ class Tolerance {
   constexpr double thin() const { return 1e-5 * size_; }
   /// A drawn end nearer than this to a vertex means the vertex.
   constexpr double pick() const { return 1e-4 * size_; }
-  /// Overlaps narrower than this are contact, not overlap: regions are compared as area / perimeter.
+  /// Overlaps narrower than this are contact, not overlap: regions are compared as area /
+  /// perimeter.
   constexpr double fat() const { return 1e-7 * size_; }
   /// Curves become polylines no farther than this from them.
   constexpr double flattening() const { return 1e-5 * size_; }
@@ -29,14 +30,16 @@ class Tolerance {
   double size_;
 };
 
-/// Directions whose sine differs by less are parallel; parameters of curves nearer than this are equal.
+/// Directions whose sine differs by less are parallel; parameters of curves nearer than this are
+/// equal.
 inline constexpr double kParallel = 1e-9;
-/// Unit normals whose cross product is shorter than this belong to parallel planes; wider than kParallel, for poses
-/// carry rounding.
+/// Unit normals whose cross product is shorter than this belong to parallel planes; wider than
+/// kParallel, for poses carry rounding.
 inline constexpr double kSamePlane = 1e-8;
 /// Fold angles nearer than this, in degrees, are equal.
 inline constexpr double kSameAngle = 1e-9;
-/// Below this a leading coefficient counts as zero beside the others: the polynomial has a lower degree.
+/// Below this a leading coefficient counts as zero beside the others: the polynomial has a lower
+/// degree.
 inline constexpr double kVanishing = 1e-14;
 
 }  // namespace kiri

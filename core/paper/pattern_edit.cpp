@@ -137,8 +137,8 @@ bool isInside(const CreasePattern& pattern, const LoopOfUses& hole, const LoopOf
   return false;
 }
 
-/// The smallest of the outer loops that hold the hole: a ring within a facet holds it as well as the
-/// facet's own border does.
+/// The smallest of the outer loops that hold the hole: a ring within a facet holds it as well as
+/// the facet's own border does.
 std::size_t ownerOf(const CreasePattern& pattern, const LoopOfUses& hole,
                     const std::vector<LoopOfUses>& outers) {
   if (outers.size() == 1) return 0;

@@ -92,7 +92,8 @@ Piece spanPiece(const Vec2* c, const std::vector<double>& t, std::size_t first) 
 Carried::Carried(Vec2 paper, const std::vector<DrawnFold>& folds) {
   Vec2 image = paper;
   for (const DrawnFold& fold : folds) {
-    const double side = fold.onSheet ? cross(fold.onSheet->second - fold.onSheet->first, paper - fold.onSheet->first)
+    const double side = fold.onSheet ? cross(fold.onSheet->second - fold.onSheet->first,
+                                             paper - fold.onSheet->first)
                                      : cross(fold.to - fold.from, image - fold.from);
     if (side <= 0) continue;
     image = mirrored(image, fold);

@@ -10,8 +10,8 @@
 
 namespace kiri::test {
 
-/// A flat fold as drawn on the model as it lay: what was left of the line was reflected in it. A fold of chosen
-/// layers names a line on the sheet instead, left of which paper was reflected.
+/// A flat fold as drawn on the model as it lay: what was left of the line was reflected in it. A
+/// fold of chosen layers names a line on the sheet instead, left of which paper was reflected.
 struct DrawnFold {
   Vec2 from;
   Vec2 to;
