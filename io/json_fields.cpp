@@ -155,7 +155,7 @@ void Findings::unknown(const std::string& path, const JsonValue& value) {
 
 std::string Findings::takeUnknown() {
   if (unknown_.members.empty()) return "";
-  const std::string text = compactText(unknown_);
+  std::string text = compactText(unknown_);
   unknown_ = JsonValue::object();
   return text;
 }

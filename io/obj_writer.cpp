@@ -71,7 +71,8 @@ class ObjText {
     out_ += "f";
     for (const std::size_t v : {a, b, c}) {
       const std::string text = std::to_string(v);
-      out_ += " " + text + "/" + text + "/" + std::to_string(normal);
+      out_.append(" ").append(text).append("/").append(text).append("/");
+      out_ += std::to_string(normal);
     }
     out_ += "\n";
   }

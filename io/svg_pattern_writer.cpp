@@ -1,5 +1,6 @@
 // The crease pattern as SVG for other origami programs and for machines (docs/formats/svg.md).
 // SPDX-License-Identifier: MIT
+#include "core/paper/contours.h"
 #include "io/svg_pattern_writer.h"
 
 #include <algorithm>
@@ -38,65 +39,6 @@ std::string escaped(const std::string& text) {
   }
   return out;
 }
-
-/// The contours of the paper: chains of borders, each with the paper on its left. Hinges and tears
-/// are crossed.
-class Contours {
- public:
-  explicit Contours(const CreasePattern& pattern) : pattern_(pattern) {
-    for (std::uint32_t f = 0; f < pattern.facets.size(); ++f) noteFacet(f);
-  }
-
-  std::vector<std::vector<EdgeUse>> all() {
-    std::vector<std::vector<EdgeUse>> out;
-    for (const auto& [key, next] : next_) {
-      const EdgeUse start{EdgeId(key.first), key.second};
-      if (pattern_[start.edge].kind == EdgeKind::Border && !isSeen(start))
-        out.push_back(follow(start));
-    }
-    return out;
-  }
-
- private:
-  using Key = std::pair<std::uint32_t, bool>;
-  static Key keyOf(EdgeUse use) { return {use.edge.index, use.isReversed}; }
-
-  void noteFacet(std::uint32_t index) {
-    const Facet& facet = pattern_.facets[index];
-    std::vector<std::uint32_t> starts = {0};
-    starts.insert(starts.end(), facet.holeStarts.begin(), facet.holeStarts.end());
-    for (std::size_t loop = 0; loop < starts.size(); ++loop) {
-      const std::size_t begin = starts[loop];
-      const std::size_t end = loop + 1 < starts.size() ? starts[loop + 1] : facet.border.size();
-      for (std::size_t i = begin; i < end; ++i) {
-        next_[keyOf(facet.border[i])] = facet.border[i + 1 < end ? i + 1 : begin];
-      }
-    }
-  }
-
-  bool isSeen(EdgeUse use) const { return seen_.count(keyOf(use)) > 0; }
-
-  std::vector<EdgeUse> follow(EdgeUse start) {
-    std::vector<EdgeUse> chain;
-    EdgeUse at = start;
-    std::size_t turns = 0;
-    while (turns++ <= next_.size() && !isSeen(at)) {
-      seen_[keyOf(at)] = true;
-      chain.push_back(at);
-      at = next_.at(keyOf(at));
-      while (pattern_[at.edge].kind != EdgeKind::Border && turns++ <= next_.size()) {
-        const auto beyond = next_.find(keyOf({at.edge, !at.isReversed}));
-        if (beyond == next_.end()) break;
-        at = beyond->second;
-      }
-    }
-    return chain;
-  }
-
-  const CreasePattern& pattern_;
-  std::map<Key, EdgeUse> next_;  // the use that follows in the border of the same facet
-  std::map<Key, bool> seen_;
-};
 
 class SvgPattern {
  public:
@@ -156,15 +98,16 @@ class SvgPattern {
 
   void writeCuts() {
     open("Cut", "border of the paper", "#000000", "");
-    for (const std::vector<EdgeUse>& chain : Contours(pattern_).all()) {
+    for (const std::vector<EdgeUse>& chain : contoursOf(pattern_)) {
       std::string d = "M" + at(arcOf(pattern_, chain.front()).start);
       for (const EdgeUse use : chain) d += onward(arcOf(pattern_, use));
       path(d + " Z", "B", 0);
     }
     close();
-    open("Cut-torn", "tears", "#00ff00", "");
+    open("Cut-open", "tears, and cuts with paper on both sides", "#00ff00", "");
     for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
-      if (pattern_.edges[e].kind != EdgeKind::Tear || !isUsed(EdgeId(e))) continue;
+      const EdgeKind kind = pattern_.edges[e].kind;
+      if (kind != EdgeKind::Tear && kind != EdgeKind::Cut) continue;
       const Arc arc = arcOf(pattern_, EdgeId(e));
       path("M" + at(arc.start) + onward(arc), "C", 0);
     }

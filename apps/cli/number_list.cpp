@@ -39,9 +39,9 @@ Result<std::vector<std::size_t>> parseNumberList(const std::string& text, std::s
                                               ? from
                                               : numberOf(part.substr(dash + 1), last);
     if (!from || !to) {
-      return Error{ErrorCode::BadValue,
-                   "\"" + part + "\" in \"" + text +
-                       "\" is no panel; write numbers, ranges and names like first,2,4-7,last"};
+      return Error{ErrorCode::BadValue, "\"" + part +
+                                            "\" is no panel; write numbers, ranges and "
+                                            "names like first,2,4-7,last"};
     }
     for (const std::size_t number : {*from, *to}) {
       if (number >= 1 && number <= last) continue;

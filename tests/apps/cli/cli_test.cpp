@@ -137,7 +137,7 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"render", file, "-o", out, "--grid", "-1"}, "--grid must lie between"},
       {{"render", file, "-o", out, "--background", "white"}, "--background white is no colour"},
       {{"render", file, "-o", out, "--lines-only"}, "--lines-only goes with --view pattern"},
-      {{"sheet", file, "-o", out, "--steps", "1-x"}, "--steps: \"1-x\" in \"1-x\" is no panel"},
+      {{"sheet", file, "-o", out, "--steps", "1-x"}, "--steps: \"1-x\" is no panel"},
       {{"sheet", file, "-o", out, "--steps", "3"}, "there is no panel 3; the panels are 1 to 2"},
       {{"sheet", file, "-o", out, "--steps", "0"}, "there is no panel 0"},
       {{"sheet", file, "-o", out, "--steps", "2-1"}, "runs backwards"},
