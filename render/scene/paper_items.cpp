@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/paper_items.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -73,10 +74,11 @@ class PaperItems {
     return group;
   }
 
-  /// All seams of one kind as chains; each seam once.
+  /// Creases, or the edges of paper; each seam once.
   Group lines(SeamKind kind, const Stroke& stroke, const char* name) const {
     StrokeItem item;
     item.stroke = stroke;
+    if (kind == SeamKind::Edge) item.chains = slits();
     for (const VisibleFacet& facet : regions_.facets) {
       for (const auto& loop : facet.loops) {
         bool goesOn = false;
@@ -96,6 +98,46 @@ class PaperItems {
 
  private:
   Arc inScene(const Arc& arc) const { return transformed(viewToScene_, arc); }
+
+  /// Tears and cuts that end inside a facet take nothing away from what is seen of it; what is seen
+  /// of them is drawn all the same.
+  std::vector<std::vector<Arc>> slits() const {
+    std::vector<std::vector<Arc>> chains;
+    for (const VisibleFacet& facet : regions_.facets) {
+      const Affine toView = paperToView(state_.poseOf(facet.facet), view_);
+      for (const EdgeUse use : state_.pattern[facet.facet].border) {
+        const Edge& edge = state_.pattern[use.edge];
+        if (use.isReversed || edge.left != edge.right || edge.kind == EdgeKind::Hinge) continue;
+        const Arc arc = transformed(toView, arcOf(state_.pattern, use));
+        for (const Arc& part : partsInside(facet, arc)) chains.push_back({inScene(part)});
+      }
+    }
+    return chains;
+  }
+
+  /// The parts of an arc that lie inside what is seen of a facet.
+  std::vector<Arc> partsInside(const VisibleFacet& facet, const Arc& arc) const {
+    const Tolerance& tolerance = state_.tolerance();
+    Region region;
+    std::vector<double> breaks{0, 1};
+    for (const auto& loop : facet.loops) {
+      Loop& arcs = region.loops.emplace_back();
+      for (const BoundaryPiece& piece : loop) {
+        arcs.push_back(piece.arc);
+        for (const Meeting& meeting : meetings(arc, piece.arc, tolerance))
+          breaks.push_back(meeting.t);
+      }
+    }
+    std::sort(breaks.begin(), breaks.end());
+    std::vector<Arc> inside;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      if (breaks[i + 1] - breaks[i] <= kParallel) continue;
+      const Vec2 middle = pointAt(arc, (breaks[i] + breaks[i + 1]) / 2);
+      if (locate(region, middle, tolerance.length()) != Where::Inside) continue;
+      inside.push_back(part(arc, breaks[i], breaks[i + 1]));
+    }
+    return inside;
+  }
 
   Fill fillFor(const VisibleFacet& facet) const {
     const Affine paperToScene =

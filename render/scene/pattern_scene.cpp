@@ -3,10 +3,10 @@
 #include "render/scene/pattern_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/paper/contours.h"
 #include "render/scene/line_looks.h"
 #include "render/scene/page.h"
 #include "render/scene/paper_items.h"
@@ -14,77 +14,11 @@
 namespace kiri {
 namespace {
 
-/// Where in the border of its facet an edge use stands.
-struct UsePlace {
-  FacetId facet;
-  std::uint32_t position = 0;
-};
-
-/// Walks along the rim of the paper.
-class Rim {
- public:
-  explicit Rim(const CreasePattern& pattern) : pattern_(pattern), places_(pattern.edges.size()) {
-    for (std::size_t f = 0; f < pattern.facets.size(); ++f) {
-      const Facet& facet = pattern.facets[f];
-      for (std::uint32_t i = 0; i < facet.border.size(); ++i) {
-        const EdgeUse use = facet.border[i];
-        places_[use.edge.index][use.isReversed ? 1 : 0] = {FacetId(f), i};
-      }
-    }
-  }
-
-  /// Closed chains of border edges, the paper on their left; holes run the other way round.
-  std::vector<Loop> loops() const {
-    std::vector<bool> isDone(pattern_.edges.size(), false);
-    std::vector<Loop> out;
-    for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
-      const Edge& edge = pattern_.edges[e];
-      const bool hasPaper = edge.left.isValid() || edge.right.isValid();
-      if (edge.kind != EdgeKind::Border || !hasPaper || isDone[e]) continue;
-      Loop loop;
-      EdgeUse use{EdgeId(e), !edge.left.isValid()};
-      while (!isDone[use.edge.index]) {
-        isDone[use.edge.index] = true;
-        loop.push_back(arcOf(pattern_, use));
-        use = nextOnRim(use);
-      }
-      out.push_back(std::move(loop));
-    }
-    return out;
-  }
-
- private:
-  EdgeUse nextInFacet(EdgeUse use) const {
-    const UsePlace place = places_[use.edge.index][use.isReversed ? 1 : 0];
-    const Facet& facet = pattern_[place.facet];
-    std::uint32_t first = 0;
-    auto last = static_cast<std::uint32_t>(facet.border.size());
-    for (const std::uint32_t hole : facet.holeStarts) {
-      if (hole <= place.position) first = hole;
-      if (hole > place.position && hole < last) last = hole;
-    }
-    return facet.border[place.position + 1 < last ? place.position + 1 : first];
-  }
-
-  /// Turns about the end of `use`, from facet to facet, until paper ends.
-  EdgeUse nextOnRim(EdgeUse use) const {
-    EdgeUse next = nextInFacet(use);
-    while (pattern_[next.edge].kind != EdgeKind::Border) {
-      next.isReversed = !next.isReversed;
-      next = nextInFacet(next);
-    }
-    return next;
-  }
-
-  const CreasePattern& pattern_;
-  std::vector<std::array<UsePlace, 2>> places_;  ///< for each edge: forwards, backwards
-};
-
 bool isFolded(const Edge& edge) { return std::abs(edge.angle) > kSameAngle; }
 
 /// Mountain or valley as the front of the paper shows it.
 LineKind kindOf(const Edge& edge) {
-  if (edge.kind == EdgeKind::Border) return LineKind::Cut;
+  if (edge.kind == EdgeKind::Border || edge.kind == EdgeKind::Cut) return LineKind::Border;
   if (edge.kind == EdgeKind::Tear) return LineKind::Tear;
   if (isFolded(edge)) return edge.angle > 0 ? LineKind::Valley : LineKind::Mountain;
   if (!edge.line.isValid()) return LineKind::Flat;
@@ -93,7 +27,7 @@ LineKind kindOf(const Edge& edge) {
 
 /// The letter that FOLD files and Rabbit Ear use for the kind.
 const char* assignmentOf(LineKind kind, bool isFoldedNow) {
-  if (kind == LineKind::Tear) return "C";
+  if (kind == LineKind::Tear || kind == LineKind::Border) return "C";
   if (!isFoldedNow) return "F";
   return kind == LineKind::Valley ? "V" : "M";
 }
@@ -112,9 +46,10 @@ class PatternItems {
       : pattern_(state.pattern), appearance_(appearance), toScene_(toScene) {}
 
   std::vector<Loop> rim() const {
-    std::vector<Loop> loops = Rim(pattern_).loops();
-    for (Loop& loop : loops) {
-      for (Arc& arc : loop) arc = transformed(toScene_, arc);
+    std::vector<Loop> loops;
+    for (const std::vector<EdgeUse>& contour : contoursOf(pattern_)) {
+      Loop& loop = loops.emplace_back();
+      for (const EdgeUse use : contour) loop.push_back(transformed(toScene_, arcOf(pattern_, use)));
     }
     return loops;
   }
@@ -132,7 +67,9 @@ class PatternItems {
       group.items.push_back({StrokeItem{{loop}, stroke}, "border", "", {{"assignment", "B"}}});
     }
     for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
-      if (pattern_.edges[e].kind == EdgeKind::Tear) group.items.push_back(lineItem(EdgeId(e)));
+      const EdgeKind kind = pattern_.edges[e].kind;
+      const bool isOpen = kind == EdgeKind::Tear || kind == EdgeKind::Cut;
+      if (isOpen) group.items.push_back(lineItem(EdgeId(e)));
     }
     return group;
   }

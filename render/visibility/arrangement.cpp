@@ -262,7 +262,7 @@ class Builder {
       double t0 = user.isSame ? from.t : 1 - from.t;
       double t1 = user.isSame ? to.t : 1 - to.t;
       if (!isForward) std::swap(t0, t1);
-      out_.uses.push_back({user.facet, user.arc, t0, t1, side.firstUse});
+      out_.uses.push_back({user.facet, user.arc, t0, t1, user.isSame == isForward, side.firstUse});
       side.firstUse = static_cast<std::uint32_t>(out_.uses.size() - 1);
     }
   }

@@ -20,8 +20,8 @@ struct SideUse {
   std::uint32_t arc = 0;    ///< place in its arcs
   double t0 = 0;
   double t1 = 1;
+  bool isForward = true;      ///< the facet is on the left of the side
   std::uint32_t next = kEnd;  ///< the next use of the same side
-  bool isForward() const { return t0 < t1; }
 };
 
 /// A side of the planar map. Sides meet at their ends only, and no two coincide.

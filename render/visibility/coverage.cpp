@@ -28,7 +28,7 @@ class Coverage {
 
   SeenBeside beside(const Arrangement& map, const Side& side) {
     for (std::uint32_t u = side.firstUse; u != SideUse::kEnd; u = map.uses[u].next) {
-      hands_[map.uses[u].facet] |= map.uses[u].isForward() ? kLeft : kRight;
+      hands_[map.uses[u].facet] |= map.uses[u].isForward ? kLeft : kRight;
     }
     const Vec2 middle = pointAt(side.arc, 0.5);
     const Vec2 along = side.arc.isCurved ? tangentAt(side.arc, 0.5) : side.arc.end - side.arc.start;
@@ -38,7 +38,11 @@ class Coverage {
       const bool mayBeLeft = wins(f, seen.left, middle, toLeft);
       const bool mayBeRight = wins(f, seen.right, middle, -toLeft);
       if (!mayBeLeft && !mayBeRight) continue;
-      const unsigned hands = hands_[f] != 0 ? hands_[f] : handsInside(f, side.arc, middle, toLeft);
+      unsigned hands = hands_[f];
+      if (hands == 0) hands = handsInside(f, side.arc, middle, toLeft);
+      // The border runs both ways: a slit has paper on both hands, the tip of a needle on neither.
+      else if (hands == (kLeft | kRight))
+        hands = handsNear(f, middle, toLeft);
       if (mayBeLeft && (hands & kLeft) != 0) seen.left = f;
       if (mayBeRight && (hands & kRight) != 0) seen.right = f;
       if (isPlainStack_ && seen.left != kNothing && seen.right != kNothing) break;
@@ -90,8 +94,14 @@ class Coverage {
     for (std::size_t i = 0; where == Where::OnBorder && i < kOtherPlaces.size(); ++i) {
       where = locateIn(f, pointAt(arc, kOtherPlaces[i]), eps_);
     }
+    // A border that runs along near the side without being one with it: look more closely.
+    if (where == Where::OnBorder) where = locateIn(f, middle, views_.tolerance().length());
     if (where != Where::OnBorder) return where == Where::Inside ? kLeft | kRight : 0;
-    // A border so near that it could not be told from this side, but was not made one with it.
+    return handsNear(f, middle, toLeft);
+  }
+
+  /// Looks on either hand, farther than borders that were made one can lie apart.
+  unsigned handsNear(std::uint32_t f, Vec2 middle, Vec2 toLeft) const {
     const double step = 8 * eps_;
     const bool isLeft = locateIn(f, middle + toLeft * step, 0) != Where::Outside;
     const bool isRight = locateIn(f, middle - toLeft * step, 0) != Where::Outside;

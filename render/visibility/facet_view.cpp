@@ -93,7 +93,8 @@ FacetViews::FacetViews(const FoldedState& state, const ViewFrame& view) : state_
 void FacetViews::add(FacetId facet, const ViewFrame& view, std::uint32_t rank) {
   const Rigid& pose = state_.poseOf(facet);
   const double towards = view.depth(pose.normal());
-  if (std::abs(towards) * tolerance().sheetSize() < tolerance().match()) return;  // edge-on
+  // Seen edge-on: narrower than any line, and its depth would be all rounding.
+  if (std::abs(towards) * tolerance().sheetSize() < tolerance().pick()) return;
   const Placement place{view.project(pose.x), view.project(pose.y), view.project(pose.origin)};
   const Facet& source = state_.pattern[facet];
   FacetView out;

@@ -19,20 +19,50 @@ std::vector<Polygon> partsOf(const FacetView& view, const Tolerance& tolerance) 
   return out;
 }
 
-/// The stretch of `place` along which a and b are equally near, when they pass there.
-void addLine(const FacetView& a, const FacetView& b, const Polygon& place, double slack,
-             std::vector<PassingLine>& out) {
-  std::vector<double> ahead;
-  for (const Vec2 p : place) ahead.push_back(a.depthAt(p) - b.depthAt(p));
-  const auto [low, high] = std::minmax_element(ahead.begin(), ahead.end());
-  if (*low >= -slack || *high <= slack) return;
-  Polygon ends;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const std::size_t j = (i + 1) % place.size();
-    if ((ahead[i] < 0) == (ahead[j] < 0)) continue;
-    ends.push_back(lerp(place[i], place[j], ahead[i] / (ahead[i] - ahead[j])));
+/// The part of the line where a and b are equally near that lies in `box`. It may be longer than
+/// the place where both facets are: what is too long has the same facet on both hands.
+void appendLine(const FacetView& a, const FacetView& b, const Box& box,
+                std::vector<PassingLine>& out) {
+  const Vec2 rise = a.slope - b.slope;
+  const Vec2 middle = lerp(box.low, box.high, 0.5);
+  const Vec2 foot = middle - rise * ((a.depthAt(middle) - b.depthAt(middle)) / dot(rise, rise));
+  const Vec2 along = perpendicular(normalized(rise));
+  double from = -distance(box.low, box.high);
+  double to = -from;
+  const auto clip = [&](double start, double direction, double low, double high) {
+    if (direction == 0) return;
+    const double t0 = (low - start) / direction;
+    const double t1 = (high - start) / direction;
+    from = std::max(from, std::min(t0, t1));
+    to = std::min(to, std::max(t0, t1));
+  };
+  clip(foot.x, along.x, box.low.x, box.high.x);
+  clip(foot.y, along.y, box.low.y, box.high.y);
+  if (from < to) out.push_back({foot + along * from, foot + along * to});
+}
+
+/// True when one facet is in front at one place and the other at another, by more than where they
+/// only touch.
+bool passThrough(const FacetViews& views, const FacetView& a, const FacetView& b,
+                 const std::vector<Polygon>& partsOfA, const std::vector<Polygon>& partsOfB) {
+  const double slack = views.depthTolerance(a, b);
+  double low = 0;
+  double high = 0;
+  for (const Polygon& p : partsOfA) {
+    for (const Polygon& q : partsOfB) {
+      for (const Vec2 corner : intersection(p, q, views.tolerance().match())) {
+        const double ahead = a.depthAt(corner) - b.depthAt(corner);
+        low = std::min(low, ahead);
+        high = std::max(high, ahead);
+      }
+    }
   }
-  if (ends.size() == 2) out.push_back({ends[0], ends[1]});
+  return low < -slack && high > slack;
+}
+
+Box common(const Box& a, const Box& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
 }
 
 }  // namespace
@@ -43,6 +73,7 @@ std::vector<PassingLine> passingLines(const FacetViews& views,
   if (inSight.empty()) return out;
   const auto& all = views.all();
   const double eps = views.tolerance().match();
+  const double beyond = 16 * eps;  // lines end clear of the borders that they cross
   const bool isOnePlane = std::all_of(inSight.begin(), inSight.end(), [&](std::uint32_t f) {
     return all[f].set == all[inSight.front()].set;
   });
@@ -65,13 +96,8 @@ std::vector<PassingLine> passingLines(const FacetViews& views,
       if (met[g] == stamp || all[g].set == all[f].set) return;
       met[g] = stamp;
       if (!boxesMeet(all[f].box, all[g].box, eps)) return;
-      const double slack = views.depthTolerance(all[f], all[g]);
-      for (const Polygon& p : parts[f]) {
-        for (const Polygon& q : parts[g]) {
-          const Polygon place = intersection(p, q, eps);
-          if (!place.empty()) addLine(all[f], all[g], place, slack, out);
-        }
-      }
+      if (!passThrough(views, all[f], all[g], parts[f], parts[g])) return;
+      appendLine(all[f], all[g], grown(common(all[f].box, all[g].box), beyond), out);
     });
     grid.addBox(all[f].box, f);
   }

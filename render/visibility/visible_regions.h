@@ -42,9 +42,9 @@ struct VisibleRegions {
 };
 
 /// What is seen of `state` from the direction of `view`. Within one plane the layer order decides,
-/// between planes the depth at each place. Facets seen edge-on have no visible part. Places nearer
-/// than tolerance.match() are one. Cost: near-linear in the number of facets and of visible pieces
-/// for stacks; only facets that can be seen take part in the exact step.
+/// between planes the depth at each place. Facets seen edge-on (within 1/10000 rad) have no visible
+/// part. Places nearer than tolerance.match() are one. Cost: near-linear in the number of facets
+/// and of visible pieces for stacks; only facets that can be seen take part in the exact step.
 VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view);
 
 /// Area of a visible part, mm^2 in the view.

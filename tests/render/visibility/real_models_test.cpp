@@ -51,6 +51,31 @@ TEST(VisibleRegionsOfModels, PartlyFoldedPaperIsSeenByDepth) {
   }
 }
 
+// Found by random steps: what had gone wrong once.
+TEST(VisibleRegionsOfModels, FacetsPassThroughEachOtherUpToACurvedBorder) {
+  checkPixels(
+      test::run("disc 100; curve @model 130.79636578702636,30.865828381745512 "
+                "105.57608920708294,59.741001817810123 76.05244507741752,45.499507629909303 "
+                "71.958259811454894,13.257549419600409 103.55589889004361,8.2081614263937084 "
+                "closed free top 4;"
+                "turn horizontal; fold valley 26.370057665477766 @model "
+                "68.915041123412564,97.35378937564407 "
+                "35.774786635311465,99.302094967380384 left top 3; fold mountain "
+                "14.203310746784549 @model "
+                "101.09287496189347,48.099330235671111 39.698098121833674,64.292101811585667 to "
+                "p:52.877322664033379,1.0545667521245121"),
+      30);
+}
+
+TEST(VisibleRegionsOfModels, NeedleThinnerThanTheToleranceHasNoInside) {
+  checkPixels(
+      test::run(
+          "square 100; fold mountain 180 @model 230.39815675503053,1.2070656530969393 "
+          "-153.59877117002034,-0.8047104353979595 right; fold mountain 180 "
+          "124.59825752284534,0.54686727249060318 -20.565505015230229,-0.36457818166040212 right"),
+      30);
+}
+
 TEST(VisibleRegionsOfModels, RandomModelsEqualThePixelOracle) {
   int checked = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -23,7 +23,7 @@ bool hides(const FoldedState& state, const ViewFrame& view, FacetId a, FacetId b
 std::optional<Vec3> pointOn(const FoldedState& state, const ViewFrame& view, FacetId f, Vec2 p) {
   const Rigid& pose = state.poseOf(f);
   const double towards = dot(pose.normal(), view.toEye);
-  if (std::abs(towards) < 1e-6) return std::nullopt;
+  if (std::abs(towards) < 1e-4) return std::nullopt;
   const Vec3 onScreen = view.right * p.x + view.up * p.y;
   const double depth = dot(pose.normal(), pose.origin - onScreen) / towards;
   return onScreen + view.toEye * depth;
