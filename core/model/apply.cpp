@@ -8,6 +8,7 @@
 #include "core/cut/add_edge.h"
 #include "core/fold/fold_line.h"
 #include "core/fold/rotate.h"
+#include "core/model/numbers.h"
 #include "core/model/requests.h"
 
 namespace kiri {
@@ -123,6 +124,7 @@ class Applying {
 }  // namespace
 
 Result<FoldedState> apply(const FoldedState& state, const Step& step, int number) {
+  if (const Status checked = checkNumbers(step); !checked) return checked.error();
   Result<FoldedState> next = std::visit(Applying(state, number), step.action);
   if (!next) return next;
   for (std::size_t i = state.collisions.size(); i < next->collisions.size(); ++i) {
