@@ -1,14 +1,13 @@
 // The crease pattern as SVG for other origami programs and for machines (docs/formats/svg.md).
 // SPDX-License-Identifier: MIT
-#include "core/paper/contours.h"
 #include "io/svg_pattern_writer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
+#include "core/paper/contours.h"
 #include "io/json_tree.h"
 
 namespace kiri {

@@ -221,10 +221,12 @@ class Relayering {
     const std::vector<Standing> standing = standingOn(state_.pattern, after_, set);
     if (standing.empty()) return;
     const LayerOrder order({set});
+    // Most of these hinges lie on the axis itself, and few layers reach across it.
+    const std::vector<FacetId> straddling = straddlingAxis(set);
     for (const Standing& hinge : standing) {
       const bool lyingMoves = moves_[hinge.lying.index];
       const bool leavingMoves = moves_[hinge.leaving.index];
-      for (const FacetId f : set.upward) {
+      for (const FacetId f : isOnAxis(hinge) ? straddling : set.upward) {
         const bool layerMoves = moves_[f.index];
         if (layerMoves == lyingMoves && layerMoves == leavingMoves) continue;
         if (order.isAbove(hinge.lying, f) == hinge.goesUp) continue;
@@ -233,6 +235,23 @@ class Relayering {
         report(CollisionMoment::End, layerMoves ? f : other, layerMoves ? other : f);
       }
     }
+  }
+
+  bool isOnAxis(const Standing& hinge) const {
+    const double tol = state_.tolerance().match();
+    return length(cross(motion_.axis, hinge.from - motion_.point)) <= tol &&
+           length(cross(motion_.axis, hinge.to - motion_.point)) <= tol;
+  }
+
+  /// Facets with paper on both sides of the axis, where it lies in their plane.
+  std::vector<FacetId> straddlingAxis(const LayerSet& set) const {
+    const Lift lift(motion_, set.normal);
+    std::vector<FacetId> found;
+    for (const FacetId f : set.upward) {
+      const Sides sides = sidesOf(state_.pattern, f, after_[f.index], lift);
+      if (sides.isUp && sides.isDown) found.push_back(f);
+    }
+    return found;
   }
 
   /// The general case: relations pair by pair, then a list that fits them as far as a list can.

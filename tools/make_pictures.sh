@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Makes the pictures of README.md and docs/ again, with the program itself.
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
+cd "$root"
+
+sheet() { # EXAMPLE PICTURE OPTIONS...
+  local example=$1 picture=$2
+  shift 2
+  ./kiri sheet "examples/$example.kiri" -o "docs/pictures/$picture.png" --background '#ffffff' --dpi 110 "$@"
+}
+
+sheet leaf_palmate leaf --steps 14-16 --columns 3 --no-numbers --no-titles
+sheet leaf_palmate palmate_steps
+sheet leaf_secondary_lobes secondary_lobes --steps 3,5,7,13-16 --columns 4
+sheet ship ship_steps
+sheet kirigami_snowflake snowflake_steps
