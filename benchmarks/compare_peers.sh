@@ -1,8 +1,8 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Runs the halving sequence here, in a bare script and in rabbit-ear (npm), one after the other, and prints ratios.
 # Usage: benchmarks/compare_peers.sh PATH_OF_kiri_bench_core [MOST_FOLDS_OF_RABBIT_EAR]
 # The npm package goes to a temporary folder outside the tree, which is removed again.
-# SPDX-License-Identifier: MIT
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
