@@ -225,7 +225,7 @@ Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId
   return folded == 0 ? Result<FoldedState>(flattened(state)) : next;
 }
 
-Result<FoldedState> refoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
+Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
                                 GroupMotion motion) {
   const std::vector<Wanted> wanted = wantedOf(state, lines, false);
   return motion == GroupMotion::InOrder ? moveInOrder(state, wanted)

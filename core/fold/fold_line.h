@@ -26,7 +26,7 @@ enum class GroupMotion {
 /// all of them to 0 always succeeds: flat paper is flat. Errors: those of setAmount.
 Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
                                 GroupMotion motion);
-Result<FoldedState> refoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
+Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
                                 GroupMotion motion);
 
 }  // namespace kiri

@@ -129,7 +129,7 @@ Result<std::vector<FacetId>> layersOfCurve(const FoldedState& state, const Layer
     for (int i = 0; i < kChords; ++i) {
       const FacetLine chord{frame, pointAt(arc, static_cast<double>(i) / kChords),
                             pointAt(arc, static_cast<double>(i + 1) / kChords)};
-      const Result<std::vector<FacetId>> here = locateLayers(state, choice, chord);
+      Result<std::vector<FacetId>> here = locateLayers(state, choice, chord);
       if (!here) return here;
       facets.insert(facets.end(), here->begin(), here->end());
     }

@@ -142,7 +142,7 @@ class CairoCanvas {
         const std::uint32_t word = alpha << 24 | times(image.rgba[i]) << 16 |
                                    times(image.rgba[i + 1]) << 8 | times(image.rgba[i + 2]);
         std::copy_n(reinterpret_cast<const unsigned char*>(&word), 4,
-                    rows + std::ptrdiff_t{y} * stride + x * 4);
+                    rows + std::ptrdiff_t{y} * stride + std::ptrdiff_t{x} * 4);
       }
     }
     cairo_surface_mark_dirty(surface);

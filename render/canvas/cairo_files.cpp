@@ -49,7 +49,7 @@ Image pixelsOf(cairo_surface_t* surface, int width, int height) {
     const unsigned char* row = rows + std::ptrdiff_t{y} * stride;
     for (int x = 0; x < width; ++x) {
       std::uint32_t word = 0;
-      std::copy_n(row + x * 4, 4, reinterpret_cast<unsigned char*>(&word));
+      std::copy_n(row + std::ptrdiff_t{x} * 4, 4, reinterpret_cast<unsigned char*>(&word));
       const std::uint32_t alpha = word >> 24;
       for (const int shift : {16, 8, 0}) {
         const std::uint32_t c = word >> shift & 0xFF;

@@ -23,7 +23,6 @@ constexpr std::uint64_t kSeeds = 4;
 constexpr std::uint64_t kSeeds = 12;
 #endif
 
-
 bool discards(const Step& step) {
   const auto* straight = std::get_if<StraightCutStep>(&step.action);
   const auto* curve = std::get_if<CurveCutStep>(&step.action);
@@ -161,8 +160,7 @@ TEST_P(RandomSteps, ResolvedGiveTheSameState) {
        });
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomSteps,
-                         testing::Range<std::uint64_t>(1, 1 + kSeeds));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomSteps, testing::Range<std::uint64_t>(1, 1 + kSeeds));
 
 }  // namespace
 }  // namespace kiri::test
