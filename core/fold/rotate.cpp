@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/fold/rotate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "core/base/text.h"
+#include "core/layers/hinge_checks.h"
 
 namespace kiri {
 namespace {
@@ -65,6 +68,57 @@ std::vector<Contact> turnHinges(FoldedState& state, const std::vector<bool>& mov
   return contacts;
 }
 
+bool isFlatAngle(double degrees) { return degrees == 0 || std::abs(degrees) == 180; }
+
+/// Hinges between moving and resting facets that stood open and lie flat now.
+std::vector<EdgeId> closedHinges(const FoldedState& before, const FoldedState& after,
+                                 const std::vector<bool>& moves) {
+  std::vector<EdgeId> closed;
+  for (std::size_t e = 0; e < after.pattern.edges.size(); ++e) {
+    const Edge& edge = after.pattern.edges[e];
+    if (edge.kind != EdgeKind::Hinge || moves[edge.left.index] == moves[edge.right.index]) continue;
+    if (!isFlatAngle(before.pattern.edges[e].angle) && isFlatAngle(edge.angle))
+      closed.push_back(EdgeId(e));
+  }
+  return closed;
+}
+
+/// Paper that the closing of an open fold has caught in its crease. Fresh folds need no such check:
+/// what lies across their axis is creased or refused.
+void checkClosed(const FoldedState& before, const FoldedState& after,
+                 const std::vector<bool>& moves, const Motion& motion,
+                 std::vector<Contact>& contacts) {
+  const std::vector<EdgeId> closed = closedHinges(before, after, moves);
+  if (closed.empty()) return;
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (const EdgeId id : closed) {
+    const Edge& edge = after.pattern[id];
+    for (const VertexId v : {edge.from, edge.to}) {
+      const Vec3 p = after.poseOf(edge.left).apply(after.pattern[v]);
+      low = std::min(low, dot(motion.axis, p - motion.point));
+      high = std::max(high, dot(motion.axis, p - motion.point));
+    }
+  }
+  const Vec3 from = motion.point + motion.axis * low;
+  const Vec3 to = motion.point + motion.axis * high;
+  const std::vector<FacetId>& layers =
+      after.layers.sets()[after.layers.setOf(after.pattern[closed.front()].left)].upward;
+  const bool isCrossed = std::any_of(layers.begin(), layers.end(), [&](FacetId f) {
+    return runsThrough(after.pattern, after.poseOf(f), f, from, to);
+  });
+  if (!isCrossed) return;
+  std::size_t found = 0;
+  for (const EdgeId id : closed) {
+    const Edge& edge = after.pattern[id];
+    const std::optional<FacetId> caught = facetThrough(after, edge);
+    if (!caught) continue;
+    const FacetId mover = moves[edge.left.index] ? edge.left : edge.right;
+    contacts.push_back({CollisionMoment::End, mover, *caught});
+    if (++found >= kMostContacts) return;
+  }
+}
+
 }  // namespace
 
 int turnSign(const FoldedState& state, const Edge& edge, const Motion& motion, bool leftMoves) {
@@ -85,6 +139,7 @@ FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Moti
   Relayered relayered = relayer(state, moves, motion, after.poses);
   after.layers = std::move(relayered.order);
   contacts.insert(contacts.end(), relayered.contacts.begin(), relayered.contacts.end());
+  checkClosed(state, after, moves, motion, contacts);
   for (const Contact& contact : contacts)
     after.collisions.push_back(describe(after.pattern, contact));
   return after;
