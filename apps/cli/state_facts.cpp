@@ -5,50 +5,9 @@
 #include <algorithm>
 
 #include "core/layers/layer_count.h"
+#include "core/paper/boxes.h"
 
 namespace kiri::cli {
-
-namespace {
-
-class Boxes {
- public:
-  explicit Boxes(StateFacts& facts) : facts_(facts) {}
-
-  void hold(Vec2 paper, Vec3 model) {
-    if (isFirst_) {
-      facts_.paper = {paper, paper};
-      facts_.boxLow = facts_.boxHigh = model;
-      isFirst_ = false;
-    }
-    Box& box = facts_.paper;
-    box.low = {std::min(box.low.x, paper.x), std::min(box.low.y, paper.y)};
-    box.high = {std::max(box.high.x, paper.x), std::max(box.high.y, paper.y)};
-    Vec3& low = facts_.boxLow;
-    Vec3& high = facts_.boxHigh;
-    low = {std::min(low.x, model.x), std::min(low.y, model.y), std::min(low.z, model.z)};
-    high = {std::max(high.x, model.x), std::max(high.y, model.y), std::max(high.z, model.z)};
-  }
-
- private:
-  StateFacts& facts_;
-  bool isFirst_ = true;
-};
-
-void findBoxes(const FoldedState& state, StateFacts& facts) {
-  Boxes boxes(facts);
-  for (std::size_t f = 0; f < state.pattern.facets.size(); ++f) {
-    const FacetId facet(f);
-    for (const EdgeUse use : state.pattern[facet].border) {
-      const Arc arc = arcOf(state.pattern, use);
-      for (const double t : flatteningParameters(arc, state.tolerance().flattening())) {
-        const Vec2 p = pointAt(arc, t);
-        boxes.hold(p, state.poseOf(facet).apply(p));
-      }
-    }
-  }
-}
-
-}  // namespace
 
 StateFacts factsOf(const FoldedState& state) {
   StateFacts facts;
@@ -73,7 +32,10 @@ StateFacts factsOf(const FoldedState& state) {
                     facts.lines.end());
   const std::vector<std::uint32_t> pieces = piecesOf(state.pattern);
   if (!pieces.empty()) facts.pieces = 1 + *std::max_element(pieces.begin(), pieces.end());
-  findBoxes(state, facts);
+  facts.paper = paperBoxOf(state.pattern);
+  const ModelBox box = modelBoxOf(state);
+  facts.boxLow = box.low;
+  facts.boxHigh = box.high;
   return facts;
 }
 

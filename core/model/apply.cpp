@@ -1,35 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/model/apply.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/text.h"
 #include "core/cut/add_edge.h"
 #include "core/fold/fold_line.h"
 #include "core/fold/rotate.h"
 #include "core/model/numbers.h"
 #include "core/model/requests.h"
+#include "core/paper/boxes.h"
 
 namespace kiri {
 namespace {
-
-/// Middle of the box of the model, model frame.
-Vec3 middleOf(const FoldedState& state) {
-  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Vec3 high = -low;
-  for (const Edge& edge : state.pattern.edges) {
-    for (const FacetId f : {edge.left, edge.right}) {
-      if (!f.isValid()) continue;
-      for (const VertexId v : {edge.from, edge.to}) {
-        const Vec3 p = state.poseOf(f).apply(state.pattern[v]);
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-      }
-    }
-  }
-  return (low + high) / 2;
-}
 
 GroupMotion motionOf(Sequence sequence) {
   return sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InOrder;
@@ -97,11 +78,12 @@ class Applying {
 
   Result<FoldedState> operator()(const TurnOverStep& step) const {
     const Vec3 axis = step.axis == TurnAxis::Vertical ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
-    return placed(state_, rotationAbout(middleOf(state_), axis, 180));
+    return placed(state_, rotationAbout(modelBoxOf(state_).middle(), axis, 180));
   }
 
   Result<FoldedState> operator()(const RotateStep& step) const {
-    const Vec3 about = step.about ? Vec3{step.about->x, step.about->y, 0} : middleOf(state_);
+    const Vec3 about =
+        step.about ? Vec3{step.about->x, step.about->y, 0} : modelBoxOf(state_).middle();
     return placed(state_, rotationAbout(about, {0, 0, 1}, step.degrees));
   }
 

@@ -4,6 +4,7 @@
 
 #include "core/model/apply.h"
 #include "core/model/requests.h"
+#include "core/paper/boxes.h"
 
 namespace kiri {
 namespace {
@@ -70,7 +71,9 @@ class Resolving {
   }
 
   void operator()(TurnOverStep&) const {}
-  void operator()(RotateStep&) const {}
+  void operator()(RotateStep& step) const {
+    if (!step.about) step.about = flatten(modelBoxOf(state_).middle());
+  }
   void operator()(MoveStep&) const {}
 
  private:
