@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/geometry/exact_product.h"
+
 namespace kiri {
 namespace {
 
@@ -29,16 +31,9 @@ class ExactSum {
   }
 
   void addProduct(double a, double b) {
-    constexpr double kSplit = 134217729.0;  // 2^27 + 1 (Dekker)
-    const double ca = kSplit * a;
-    const double cb = kSplit * b;
-    const double ah = ca - (ca - a);
-    const double bh = cb - (cb - b);
-    const double al = a - ah;
-    const double bl = b - bh;
-    const double product = a * b;
-    add(((ah * bh - product) + ah * bl + al * bh) + al * bl);
-    add(product);
+    const ExactProduct product = exactProduct(a, b);
+    add(product.low);
+    add(product.high);
   }
 
   int sign() const { return count_ == 0 ? 0 : signOf(parts_[count_ - 1]); }

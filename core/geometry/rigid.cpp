@@ -7,6 +7,8 @@
 
 #include "core/base/check.h"
 
+#include "core/geometry/exact_product.h"
+
 namespace kiri {
 namespace {
 
@@ -15,27 +17,9 @@ constexpr double kRadian = 0x1.1df46a2529d39p-6;
 constexpr double kRadianRest = 0x1.5c1d8becdd291p-62;
 constexpr double kDegree = 180.0 / std::numbers::pi;
 
-/// A product and the rounding error that was made in computing it.
-struct Product {
-  double high;
-  double low;
-};
-
-Product exactProduct(double a, double b) {
-  constexpr double kSplit = 134217729.0;  // 2^27 + 1 (Dekker)
-  const double ca = kSplit * a;
-  const double cb = kSplit * b;
-  const double ah = ca - (ca - a);
-  const double bh = cb - (cb - b);
-  const double al = a - ah;
-  const double bl = b - bh;
-  const double p = a * b;
-  return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
-}
-
 /// Cosine and sine for 0 <= degrees < 45 by their series; the first term left out is below 2^-60.
 CosSin cosSinSmall(double degrees) {
-  const Product turn = exactProduct(degrees, kRadian);
+  const ExactProduct turn = exactProduct(degrees, kRadian);
   const double x = turn.high;
   const double rest = turn.low + degrees * kRadianRest;
   const double z = x * x;
