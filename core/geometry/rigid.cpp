@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/base/check.h"
-
 #include "core/geometry/exact_product.h"
 
 namespace kiri {
