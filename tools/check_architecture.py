@@ -28,6 +28,7 @@ FORBIDDEN = {
 PACKAGE_HEADERS = {
     "nlohmann_json": r"nlohmann/",
     "CLI11": r"CLI/",
+    "Eigen3": r"Eigen/",
     "cairo": r"cairo",
     "libpng": r"png\.h$",
 }
