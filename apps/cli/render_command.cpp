@@ -7,6 +7,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/picture_options.h"
+#include "apps/cli/view_options.h"
 #include "render/scene/model_scene.h"
 #include "render/scene/pattern_scene.h"
 
@@ -14,10 +15,12 @@ namespace kiri::cli {
 
 namespace {
 
+constexpr const char* kPattern = "pattern";
+
 struct RenderOptions {
   std::string model;
   std::optional<int> step;
-  std::string view = "front";
+  ViewOptions view;
   double margin = 5;
   double scale = 1;
   double grid = 0;
@@ -25,11 +28,9 @@ struct RenderOptions {
   PictureOptions picture;
 };
 
+bool showsPattern(const RenderOptions& options) { return options.view.view == kPattern; }
+
 Status check(const RenderOptions& options) {
-  if (options.view != "front" && options.view != "back" && options.view != "pattern") {
-    return Error{ErrorCode::BadValue,
-                 "--view " + options.view + " is not known; it takes front, back or pattern"};
-  }
   constexpr double kWidest = 1000;
   if (!(options.margin >= 0 && options.margin <= kWidest)) {
     return Error{ErrorCode::BadValue, "--margin must lie between 0 and 1000 mm"};
@@ -41,21 +42,25 @@ Status check(const RenderOptions& options) {
   if (!(options.grid >= 0 && options.grid <= kWidest)) {
     return Error{ErrorCode::BadValue, "--grid must lie between 0 (none) and 1000 mm"};
   }
-  if (options.isLinesOnly && options.view != "pattern") {
+  if (options.isLinesOnly && !showsPattern(options)) {
     return Error{ErrorCode::BadValue, "--lines-only goes with --view pattern"};
   }
+  if (showsPattern(options)) return std::monostate{};
+  const Result<ViewSpec> spec = viewSpecOf(options.view, kPattern);
+  if (!spec.isOk()) return spec.error();
   return std::monostate{};
 }
 
-Scene sceneOf(const FoldedState& state, const Appearance& appearance, const ModelInput& input,
-              const RenderOptions& options) {
-  if (options.view == "pattern") {
+Result<Scene> sceneOf(const FoldedState& state, const Appearance& appearance,
+                      const ModelInput& input, const RenderOptions& options) {
+  if (showsPattern(options)) {
     return patternScene(state, appearance,
                         {options.margin, options.scale, titleOf(input),
                          options.isLinesOnly ? PatternFill::None : PatternFill::Paper});
   }
-  const ViewFrame view = options.view == "back" ? backView() : frontView();
-  return modelScene(state, appearance, view, {options.margin, options.scale, titleOf(input)});
+  const Result<ViewSpec> spec = viewSpecOf(options.view, kPattern);
+  if (!spec.isOk()) return spec.error();
+  return modelScene(state, appearance, *spec, {options.margin, options.scale, titleOf(input)});
 }
 
 int run(Console& console, const RenderOptions& options) {
@@ -72,13 +77,14 @@ int run(Console& console, const RenderOptions& options) {
   Result<Appearance> appearance = appearanceFor(console, *input, options.picture);
   if (!appearance.isOk()) return fail(console, appearance.error());
   appearance->gridSpacing = options.grid;
-  Scene scene;
-  {
+  const auto draw = [&] {
     ProgressLine line(console, "drawing");
     line.update(0);
-    scene = sceneOf(**state, *appearance, *input, options);
-  }
-  return writePicture(console, std::move(scene), options.picture, *format);
+    return sceneOf(**state, *appearance, *input, options);
+  };
+  Result<Scene> scene = draw();
+  if (!scene.isOk()) return fail(console, scene.error(), kBadUsage);
+  return writePicture(console, std::move(*scene), options.picture, *format);
 }
 
 }  // namespace
@@ -89,8 +95,7 @@ void addRenderCommand(CLI::App& app, Console& console, int& code) {
   command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
   command->add_option("--step", options->step, "after this many steps; 0: the sheet (default: all)")
       ->type_name("N");
-  command->add_option("--view", options->view, "front, back or pattern (default front)")
-      ->type_name("VIEW");
+  addViewOptions(*command, options->view, kPattern);
   command->add_option("--margin", options->margin, "mm around the model (default 5)")
       ->type_name("MM");
   command->add_option("--scale", options->scale, "1 is true size (default)")->type_name("F");
@@ -103,6 +108,7 @@ void addRenderCommand(CLI::App& app, Console& console, int& code) {
       "Examples:\n"
       "  kiri render leaf.kiri -o leaf.png\n"
       "  kiri render leaf.kiri --step 3 --view back -o step3.svg\n"
+      "  kiri render leaf.kiri --step 3 --view 30,40 -o step3.png\n"
       "  kiri render leaf.kiri --view pattern --style diagram -o pattern.pdf\n"
       "  cat leaf.kiri | kiri render - --format png --dpi 300 -o - > leaf.png");
   command->callback([&console, &code, options] { code = run(console, *options); });

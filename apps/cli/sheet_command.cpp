@@ -9,6 +9,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/number_list.h"
 #include "apps/cli/picture_options.h"
+#include "apps/cli/view_options.h"
 #include "render/scene/sheet_scene.h"
 
 namespace kiri::cli {
@@ -18,7 +19,7 @@ namespace {
 struct SheetOptions {
   std::string model;
   std::string steps;
-  std::string view = "front";
+  ViewOptions view;
   int columns = 0;
   double width = 210;
   std::optional<double> panel;
@@ -28,10 +29,8 @@ struct SheetOptions {
 };
 
 Status check(const SheetOptions& options) {
-  if (options.view != "front" && options.view != "back") {
-    return Error{ErrorCode::BadValue,
-                 "--view " + options.view + " is not known; it takes front or back"};
-  }
+  const Result<ViewSpec> spec = viewSpecOf(options.view);
+  if (!spec.isOk()) return spec.error();
   constexpr int kMostColumns = 100;
   if (options.columns < 0 || options.columns > kMostColumns) {
     return Error{ErrorCode::BadValue, "--columns must lie between 0 (as fits) and 100"};
@@ -68,7 +67,9 @@ int run(Console& console, const SheetOptions& options) {
   scene.panel = options.panel;
   scene.showNumbers = !options.hidesNumbers;
   scene.showTitles = !options.hidesTitles;
-  scene.view = options.view == "back" ? backView() : frontView();
+  const Result<ViewSpec> spec = viewSpecOf(options.view);
+  if (!spec.isOk()) return fail(console, spec.error(), kBadUsage);
+  scene.view = viewFrom(spec->azimuth, spec->elevation);
   std::size_t last = input->model.steps.size();
   if (!options.steps.empty()) {
     const auto panels = parseNumberList(options.steps, last + 1);
@@ -107,7 +108,7 @@ void addSheetCommand(CLI::App& app, Console& console, int& code) {
       ->add_option("--steps", options->steps,
                    "which panels, by their numbers, like first,3-5,last (default: all)")
       ->type_name("LIST");
-  command->add_option("--view", options->view, "front or back (default front)")->type_name("VIEW");
+  addViewOptions(*command, options->view);
   command->add_option("--columns", options->columns, "panels in a row (default: as fits)")
       ->type_name("N");
   command->add_option("--width", options->width, "mm of the page (default 210)")->type_name("MM");

@@ -6,14 +6,33 @@
 
 #include "render/scene/page.h"
 #include "render/scene/paper_items.h"
+#include "render/visibility/grid.h"
 #include "render/visibility/visible_regions.h"
 
 namespace kiri {
+namespace {
+
+/// The box of what is drawn; that of all paper when none of it is seen but edge-on.
+Box boxOfPicture(const FoldedState& state, const ViewFrame& view, const VisibleRegions& regions) {
+  if (!regions.facets.empty() || state.pattern.facets.empty()) return boundsOf(regions);
+  Box box;
+  bool isFirst = true;
+  for (std::size_t i = 0; i < state.pattern.facets.size(); ++i) {
+    for (const EdgeUse use : state.pattern.facets[i].border) {
+      const Vec2 p = view.project(state.poses[i].apply(arcOf(state.pattern, use).start));
+      box = isFirst ? Box{p, p} : joined(box, {p, p});
+      isFirst = false;
+    }
+  }
+  return box;
+}
+
+}  // namespace
 
 Scene modelScene(const FoldedState& state, const Appearance& appearance, const ViewFrame& view,
                  const ModelSceneOptions& options) {
   const VisibleRegions regions = visibleRegions(state, view);
-  const Box box = boundsOf(regions);
+  const Box box = options.box.value_or(boxOfPicture(state, view, regions));
   const Vec2 size = (box.high - box.low) * options.scale;
   const Vec2 margin{options.margin, options.margin};
   const Affine viewToScene = placed(box, options.scale, margin);
@@ -30,6 +49,20 @@ Scene modelScene(const FoldedState& state, const Appearance& appearance, const V
     scene.groups.push_back(std::move(group));
   }
   return scene;
+}
+
+Result<Scene> modelScene(const FoldedState& state, const Appearance& appearance,
+                         const ViewSpec& spec, const ModelSceneOptions& options) {
+  const Result<ViewFrame> view = frameOf(spec, options.sphere.value_or(sphereOf(state, spec)));
+  if (!view) return view.error();
+  return modelScene(state, appearance, *view, options);
+}
+
+Result<Box> pictureBox(const FoldedState& state, const ViewSpec& spec,
+                       const ModelSceneOptions& options) {
+  const Result<ViewFrame> view = frameOf(spec, options.sphere.value_or(sphereOf(state, spec)));
+  if (!view) return view.error();
+  return boxOfPicture(state, *view, visibleRegions(state, *view));
 }
 
 }  // namespace kiri

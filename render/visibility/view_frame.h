@@ -24,4 +24,11 @@ constexpr ViewFrame frontView() { return {}; }
 /// From -z, after walking round the model: left and right change places, up stays up.
 constexpr ViewFrame backView() { return {{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}; }
 
+/// From any side. The model lies on a table, z up, and the eye goes round it. Azimuth, degrees:
+/// where the eye stands, from the near edge of the sheet (0: at -y, 90: at +x, 180: at +y), so that
+/// the model seems to turn clockwise as it grows. Elevation, degrees: how high; 90 is straight
+/// above, 0 level with the table, -90 straight below. z never points down on the picture between
+/// -90 and 90, and nothing flips at the poles: (0, 90) is frontView(), (180, -90) is backView().
+ViewFrame viewFrom(double azimuth, double elevation);
+
 }  // namespace kiri

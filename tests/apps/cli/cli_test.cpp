@@ -128,7 +128,7 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"render", file, "-o", out, "--format", "tiff"},
        "--format tiff is not known here; it takes svg, png or pdf"},
       {{"render", file, "-o", out, "--view", "top"},
-       "--view top is not known; it takes front, back or pattern"},
+       "--view top is not known; it takes front, back, pattern or AZ,EL like 30,40"},
       {{"render", file, "-o", out, "--style", "x"}, "--style x is not known"},
       {{"render", file, "-o", out, "--dpi", "0"}, "--dpi must lie between 1 and 10000"},
       {{"render", file, "-o", out, "--dpi", "nan"}, "--dpi must lie between"},
@@ -141,7 +141,10 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"sheet", file, "-o", out, "--steps", "3"}, "there is no panel 3; the panels are 1 to 2"},
       {{"sheet", file, "-o", out, "--steps", "0"}, "there is no panel 0"},
       {{"sheet", file, "-o", out, "--steps", "2-1"}, "runs backwards"},
-      {{"sheet", file, "-o", out, "--view", "pattern"}, "it takes front or back"},
+      {{"sheet", file, "-o", out, "--view", "pattern"}, "it takes front, back or AZ,EL"},
+      {{"render", file, "-o", out, "--view", "30,x"}, "--view 30,x is not known"},
+      {{"render", file, "-o", out, "--view", "30,91"},
+       "the elevation of a view must lie between -90 and 90"},
       {{"sheet", file, "-o", out, "--columns", "-1"}, "--columns must lie between"},
       {{"sheet", file, "-o", out, "--width", "1"}, "--width must lie between"},
       {{"sheet", file, "-o", out, "--panel", "0"}, "--panel must be above 0"},
@@ -261,6 +264,8 @@ TEST_F(Cli, WritesEveryPicture) {
   const std::string file = put("m.kiri", model(kHalf));
   EXPECT_EQ(kiri({"render", file, "-o", path("a.SVG")}).code, kDone);
   EXPECT_EQ(kiri({"render", file, "--view", "back", "-o", path("b.pdf")}).code, kDone);
+  EXPECT_EQ(kiri({"render", file, "--view", "-30,40", "-o", path("d.png")}).code, kDone);
+  EXPECT_EQ(kiri({"sheet", file, "--view", "-30,40", "-o", path("e.png")}).code, kDone);
   EXPECT_EQ(kiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
             kDone);
   EXPECT_EQ(kiri({"sheet", file, "--columns", "1", "--style", "diagram", "-o", path("d.svg")}).code,
@@ -268,7 +273,7 @@ TEST_F(Cli, WritesEveryPicture) {
   EXPECT_TRUE(holds(get("a.SVG"), "<svg"));
   EXPECT_EQ(get("b.pdf").substr(0, 4), "%PDF");
   EXPECT_EQ(get("c.png").substr(1, 3), "PNG");
-  EXPECT_EQ(fileCount(), 5u) << "no temporary file is left";
+  EXPECT_EQ(fileCount(), 7u) << "no temporary file is left";
 }
 
 TEST_F(Cli, DrawsPaperWithoutItsTextureWhenThatCannotBeRead) {

@@ -1,0 +1,59 @@
+// Where the model is looked at from, for the commands that show it in space.
+// SPDX-License-Identifier: MIT
+#include "apps/cli/view_options.h"
+
+#include <locale>
+#include <optional>
+#include <sstream>
+
+namespace kiri::cli {
+
+namespace {
+
+/// A number that is all of the text.
+std::optional<double> numberOf(const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double value = 0;
+  char rest = 0;
+  if (!(in >> value) || in >> rest) return std::nullopt;
+  return value;
+}
+
+std::string namesOf(const std::string& others) {
+  return "front, back" + (others.empty() ? "" : ", " + others);
+}
+
+}  // namespace
+
+void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& others) {
+  command
+      .add_option("--view", options.view,
+                  namesOf(others) +
+                      " or AZ,EL: degrees round the model (0: from the near edge, 90: from the "
+                      "right) and up (90: from above, 0: level); default front")
+      ->type_name("VIEW");
+}
+
+Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& others) {
+  ViewSpec spec = frontSpec();
+  if (options.view == "back") {
+    spec = backSpec();
+  } else if (options.view != "front") {
+    const std::size_t comma = options.view.find(',');
+    const std::optional<double> azimuth = numberOf(options.view.substr(0, comma));
+    const std::optional<double> elevation =
+        comma == std::string::npos ? std::nullopt : numberOf(options.view.substr(comma + 1));
+    if (!azimuth || !elevation) {
+      return Error{ErrorCode::BadValue, "--view " + options.view + " is not known; it takes " +
+                                            namesOf(others) + " or AZ,EL like 30,40"};
+    }
+    spec.azimuth = *azimuth;
+    spec.elevation = *elevation;
+  }
+  const Status status = checkViewSpec(spec);
+  if (!status) return status.error();
+  return spec;
+}
+
+}  // namespace kiri::cli

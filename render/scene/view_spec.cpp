@@ -1,0 +1,71 @@
+// How a picture of the folded model is taken, in the words of a person.
+// SPDX-License-Identifier: MIT
+#include "render/scene/view_spec.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/text.h"
+#include "core/paper/boxes.h"
+
+namespace kiri {
+namespace {
+
+Status within(double value, double low, double high, const char* what, const char* unit) {
+  if (value >= low && value <= high) return std::monostate{};
+  return Error{ErrorCode::BadValue,
+               std::string(what) + " must lie between " + text(low) + " and " + text(high) + unit,
+               {}};
+}
+
+}  // namespace
+
+Status checkViewSpec(const ViewSpec& spec) {
+  constexpr double kFullTurn = 360;
+  constexpr double kPole = 90;
+  for (const Status& status :
+       {within(spec.azimuth, -kFullTurn, kFullTurn, "the azimuth of a view", " degrees"),
+        within(spec.elevation, -kPole, kPole, "the elevation of a view", " degrees")}) {
+    if (!status) return status;
+  }
+  return std::monostate{};
+}
+
+Sphere sphereOf(const FoldedState& state, const ViewSpec&) {
+  Sphere sphere{modelBoxOf(state).middle(), 0};
+  for (std::size_t i = 0; i < state.pattern.facets.size(); ++i) {
+    for (const EdgeUse use : state.pattern.facets[i].border) {
+      const Arc arc = arcOf(state.pattern, use);
+      const auto grow = [&](Vec2 p) {
+        sphere.radius = std::max(sphere.radius, distance(sphere.centre, state.poses[i].apply(p)));
+      };
+      grow(arc.start);
+      if (!arc.isCurved) continue;
+      grow(arc.control1);  // the curve lies between its control points
+      grow(arc.control2);
+    }
+  }
+  return sphere;
+}
+
+Sphere joined(const Sphere& a, const Sphere& b) {
+  const double apart = distance(a.centre, b.centre);
+  if (apart + b.radius <= a.radius) return a;
+  if (apart + a.radius <= b.radius) return b;
+  const double radius = (apart + a.radius + b.radius) / 2;
+  return {a.centre + (b.centre - a.centre) * ((radius - a.radius) / apart), radius};
+}
+
+Result<ViewFrame> frameOf(const ViewSpec& spec, const Sphere&) {
+  const Status status = checkViewSpec(spec);
+  if (!status) return status.error();
+  return viewFrom(spec.azimuth, spec.elevation);
+}
+
+Box boxOf(const ViewFrame& view, const Sphere& sphere) {
+  const Vec2 middle = view.project(sphere.centre);
+  const Vec2 half{sphere.radius, sphere.radius};
+  return {middle - half, middle + half};
+}
+
+}  // namespace kiri
