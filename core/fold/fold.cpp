@@ -26,7 +26,7 @@ class Folding {
     axis_.degrees = request.isValley ? request.degrees : -request.degrees;
   }
 
-  Result<FoldedState> run() {
+  Result<FoldedState> run(Movements* record) {
     noteOldHinges();
     if (const Status made = crease(); !made) return made.error();
     if (hinges_.empty()) return missed();
@@ -44,7 +44,7 @@ class Folding {
       if (!facet || !moving.moves[facet->index]) return left(companion);
     }
     ownHinges(moving.moves);
-    return rotate(std::move(state_), moving.moves, axis_);
+    return rotate(std::move(state_), moving.moves, axis_, record);
   }
 
  private:
@@ -189,8 +189,8 @@ Vec3 upOf(const FoldedState& state, FacetId facet) {
   return normal.z < -kSamePlane ? -normal : normal;
 }
 
-Result<FoldedState> fold(const FoldedState& state, const FoldRequest& request) {
-  return Folding(state, request).run();
+Result<FoldedState> fold(const FoldedState& state, const FoldRequest& request, Movements* record) {
+  return Folding(state, request).run(record);
 }
 
 }  // namespace kiri

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/fold/movement.h"
 #include "core/paper/facet_line.h"
 #include "core/paper/folded_state.h"
 
@@ -33,7 +34,8 @@ Vec3 upOf(const FoldedState& state, FacetId facet);
 /// the segment does not cross are not split; where it runs along existing hinges, these become part
 /// of the fold line. Errors: MissesPaper - no layer is crossed; TooThin - see inscribeChords;
 /// WouldStretch - the moving side is joined to the resting side by a hinge that is not on the line,
-/// named with a remedy; NothingToDo - a companion rests.
-Result<FoldedState> fold(const FoldedState& state, const FoldRequest& request);
+/// named with a remedy; NothingToDo - a companion rests. `record` gets the movement.
+Result<FoldedState> fold(const FoldedState& state, const FoldRequest& request,
+                         Movements* record = nullptr);
 
 }  // namespace kiri

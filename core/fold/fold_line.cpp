@@ -4,20 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
+#include "core/fold/follow.h"
 #include "core/fold/moving_facets.h"
 #include "core/fold/rotate.h"
 
 namespace kiri {
 namespace {
-
-std::vector<EdgeId> hingesOf(const FoldedState& state, FoldLineId line) {
-  std::vector<EdgeId> hinges;
-  for (std::size_t e = 0; e < state.pattern.edges.size(); ++e) {
-    const Edge& edge = state.pattern.edges[e];
-    if (edge.kind == EdgeKind::Hinge && edge.line == line) hinges.push_back(EdgeId(e));
-  }
-  return hinges;
-}
 
 std::string quoted(const FoldedState& state, FoldLineId line) {
   return "\"" + state.lines[line.index].name + "\"";
@@ -90,92 +83,8 @@ std::optional<double> turnFor(const FoldedState& state, const std::vector<EdgeId
   return degrees;
 }
 
-using Wanted = std::pair<FoldLineId, double>;
-
-/// Tries the lines in turn and again until all have moved; what moves without a collision goes
-/// first.
-Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted> wanted) {
-  FoldedState state = start;
-  while (!wanted.empty()) {
-    std::optional<FoldedState> colliding;
-    std::size_t collidingAt = 0;
-    std::optional<Error> error;
-    std::size_t moved = wanted.size();
-    for (std::size_t i = 0; i < wanted.size() && moved == wanted.size(); ++i) {
-      Result<FoldedState> next = setAmount(state, wanted[i].first, wanted[i].second);
-      if (!next) {
-        if (!error) error = next.error();
-      } else if (next->collisions.size() == state.collisions.size()) {
-        state = std::move(*next);
-        moved = i;
-      } else if (!colliding) {
-        colliding = std::move(*next);
-        collidingAt = i;
-      }
-    }
-    if (moved == wanted.size()) {
-      if (!colliding) return *error;
-      state = std::move(*colliding);
-      moved = collidingAt;
-    }
-    wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(moved));
-  }
-  return state;
-}
-
-Result<FoldedState> moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted) {
-  FoldedState state = start;
-  for (const auto& [line, amount] : wanted) {
-    Result<FoldedState> next = setAmount(state, line, amount);
-    if (!next) return next.error();
-    state = std::move(*next);
-  }
-  return state;
-}
-
-/// Every hinge at 0 at once: each piece lies flat in the plane of its rest.
-FoldedState flattened(const FoldedState& start) {
-  FoldedState state = start;
-  for (Edge& edge : state.pattern.edges) {
-    if (edge.kind == EdgeKind::Hinge) edge.angle = 0;
-  }
-  state.poses = derivePoses(state.pattern, state.rests);
-  const std::vector<std::uint32_t> piece = piecesOf(state.pattern);
-  std::vector<LayerSet> sets;
-  for (const Rest& rest : state.rests) {
-    LayerSet* home = nullptr;
-    const Vec3 normal = state.poseOf(rest.facet).normal();
-    for (LayerSet& set : sets) {
-      const Vec3 between =
-          state.poseOf(set.upward.front()).origin - state.poseOf(rest.facet).origin;
-      const bool isSame = length(cross(set.normal, normal)) <= kSamePlane &&
-                          std::abs(dot(normal, between)) <= state.tolerance().match();
-      if (home == nullptr && isSame) home = &set;
-    }
-    if (home == nullptr) home = &sets.emplace_back(LayerSet{normal, {}, {}});
-    for (std::size_t f = 0; f < piece.size(); ++f) {
-      if (piece[f] == piece[rest.facet.index]) home->upward.push_back(FacetId(f));
-    }
-  }
-  state.layers = LayerOrder(std::move(sets));
-  return state;
-}
-
-/// The lines that are to move at all, with where to.
-std::vector<Wanted> wantedOf(const FoldedState& state, const std::vector<FoldLineId>& lines,
-                             bool isUnfolding) {
-  std::vector<Wanted> wanted;
-  for (const FoldLineId line : lines) {
-    if (hingesOf(state, line).empty()) continue;
-    const double amount = isUnfolding ? 0 : state.lines[line.index].foldedAmount;
-    if (amountOf(state, line) != amount) wanted.push_back({line, amount});
-  }
-  return wanted;
-}
-
-}  // namespace
-
-Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount) {
+/// The turn about one axis that brings the line to the amount. Errors: NothingToDo, Locked.
+Result<Turning> turnTo(const FoldedState& state, FoldLineId line, double amount) {
   const std::vector<EdgeId> hinges = hingesOf(state, line);
   if (hinges.empty()) {
     return Error{
@@ -205,31 +114,57 @@ Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double 
                   "the paper on its two sides is joined elsewhere too and would stretch",
                   moving.broken);
   }
-  FoldedState next = rotate(state, moving.moves, motion);
-  if (amount != 0) next.lines[line.index].foldedAmount = amount;
-  return next;
+  return Turning{moving.moves, motion};
 }
 
-Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
-                                GroupMotion motion) {
-  std::reverse(lines.begin(), lines.end());
-  const std::vector<Wanted> wanted = wantedOf(state, lines, true);
-  if (motion == GroupMotion::InOrder) return moveInOrder(state, wanted);
-  Result<FoldedState> next = moveInAnyOrder(state, wanted);
-  if (next) return next;
-  const auto folded =
-      std::count_if(state.pattern.edges.begin(), state.pattern.edges.end(), [&](const Edge& edge) {
-        const bool isMeant = std::find(lines.begin(), lines.end(), edge.line) != lines.end();
-        return edge.kind == EdgeKind::Hinge && edge.angle != 0 && !isMeant;
-      });
-  return folded == 0 ? Result<FoldedState>(flattened(state)) : next;
+/// The line can move, and others with it, but not so far.
+Error stopped(const FoldedState& state, FoldLineId line, const Followed& followed,
+              const Error& alone) {
+  Error error = alone;
+  error.message = "the fold line " + quoted(state, line) +
+                  " cannot move so far: with the creases " +
+                  "that form closed loops with it, it stops at " + text(followed.amount) +
+                  " degrees; ask for less";
+  const std::string names = holders(state, line);
+  error.message += names.empty() ? ", or tear the paper" : ", or unfold " + names + " first";
+  return error;
 }
 
-Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
-                                GroupMotion motion) {
-  const std::vector<Wanted> wanted = wantedOf(state, lines, false);
-  return motion == GroupMotion::InOrder ? moveInOrder(state, wanted)
-                                        : moveInAnyOrder(state, wanted);
+}  // namespace
+
+std::vector<EdgeId> hingesOf(const FoldedState& state, FoldLineId line) {
+  std::vector<EdgeId> hinges;
+  for (std::size_t e = 0; e < state.pattern.edges.size(); ++e) {
+    const Edge& edge = state.pattern.edges[e];
+    if (edge.kind == EdgeKind::Hinge && edge.line == line) hinges.push_back(EdgeId(e));
+  }
+  return hinges;
+}
+
+Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount,
+                              Movements* record) {
+  const Result<Turning> turn = turnTo(state, line, amount);
+  if (turn) {
+    FoldedState next = rotate(state, turn->moves, turn->motion, record);
+    if (amount != 0) next.lines[line.index].foldedAmount = amount;
+    return next;
+  }
+  if (turn.error().code != ErrorCode::Locked) return turn.error();
+  std::optional<Followed> followed = follow(state, line, amount);
+  if (!followed) return turn.error();
+  if (!followed->path->isComplete()) return stopped(state, line, *followed, turn.error());
+  if (record != nullptr) record->push_back(movementAlong(state, followed->path, followed->state));
+  return std::move(followed->state);
+}
+
+Slide slideAmount(const FoldedState& state, FoldLineId line, double amount) {
+  Result<FoldedState> there = setAmount(state, line, amount);
+  if (there) return {std::move(*there), amount, std::nullopt};
+  if (there.error().code == ErrorCode::Locked) {
+    if (std::optional<Followed> followed = follow(state, line, amount))
+      return {std::move(followed->state), followed->amount, there.error()};
+  }
+  return {state, amountOf(state, line).value_or(0), there.error()};
 }
 
 }  // namespace kiri

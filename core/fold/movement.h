@@ -21,6 +21,8 @@ struct Turning {
 /// Several hinges turn at once, in proportion or as closed loops of creases demand.
 struct Unfolding {
   std::shared_ptr<const RigidPath> path;
+  std::vector<Rest> from;  ///< how one facet of each piece lies when it starts,
+  std::vector<Rest> to;    ///< and when it ends; the same facets
 };
 
 /// The whole model moves: it is turned over, rotated or shifted. `motion` first, then `by`.
@@ -44,5 +46,10 @@ FoldedState stateDuring(const Movement& movement, double part);
 
 /// Collects the movements of steps, for whoever wants them.
 using Movements = std::vector<Movement>;
+
+/// The movement along a path from `start` to the poses of `end`, which has the same pattern. For
+/// each piece a facet is held that lies in both as it did, where there is one.
+Movement movementAlong(const FoldedState& start, std::shared_ptr<const RigidPath> path,
+                       const FoldedState& end);
 
 }  // namespace kiri

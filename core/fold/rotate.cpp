@@ -119,18 +119,11 @@ void checkClosed(const FoldedState& before, const FoldedState& after,
   }
 }
 
-}  // namespace
-
-int turnSign(const FoldedState& state, const Edge& edge, const Motion& motion, bool leftMoves) {
-  const Vec2 along = state.pattern[edge.to] - state.pattern[edge.from];
-  const bool sameWay = dot(state.poseOf(edge.left).direction(along), motion.axis) > 0;
-  return sameWay == leftMoves ? 1 : -1;
-}
-
-FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Motion& motion) {
-  if (motion.degrees == 0) return state;
+/// Hinges, poses and layer order after the motion, and what gets in the way as it begins and ends.
+FoldedState afterTurn(const FoldedState& state, const std::vector<bool>& moves,
+                      const Motion& motion, std::vector<Contact>& contacts) {
   FoldedState after = state;
-  std::vector<Contact> contacts = turnHinges(after, moves, motion);
+  contacts = turnHinges(after, moves, motion);
   const Rigid rotation = rotationAbout(motion.point, motion.axis, motion.degrees);
   for (Rest& rest : after.rests) {
     if (moves[rest.facet.index]) rest.pose = compose(rotation, rest.pose);
@@ -139,10 +132,36 @@ FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Moti
   Relayered relayered = relayer(state, moves, motion, after.poses);
   after.layers = std::move(relayered.order);
   contacts.insert(contacts.end(), relayered.contacts.begin(), relayered.contacts.end());
+  return after;
+}
+
+}  // namespace
+
+int turnSign(const FoldedState& state, const Edge& edge, const Motion& motion, bool leftMoves) {
+  const Vec2 along = state.pattern[edge.to] - state.pattern[edge.from];
+  const bool sameWay = dot(state.poseOf(edge.left).direction(along), motion.axis) > 0;
+  return sameWay == leftMoves ? 1 : -1;
+}
+
+FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Motion& motion,
+                   Movements* record) {
+  if (motion.degrees == 0) return state;
+  std::vector<Contact> contacts;
+  FoldedState after = afterTurn(state, moves, motion, contacts);
   checkClosed(state, after, moves, motion, contacts);
   for (const Contact& contact : contacts)
     after.collisions.push_back(describe(after.pattern, contact));
+  if (record != nullptr) {
+    record->push_back(
+        {std::make_shared<const FoldedState>(std::move(state)), Turning{moves, motion}});
+  }
   return after;
+}
+
+FoldedState turned(FoldedState state, const std::vector<bool>& moves, const Motion& motion) {
+  if (motion.degrees == 0) return state;
+  std::vector<Contact> unasked;
+  return afterTurn(state, moves, motion, unasked);
 }
 
 FoldedState placed(FoldedState state, const Rigid& motion) {

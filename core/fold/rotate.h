@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/fold/movement.h"
 #include "core/layers/relayer.h"
 #include "core/paper/folded_state.h"
 
@@ -11,9 +12,13 @@ namespace kiri {
 
 /// The state after the facets for which `moves` is true have made the motion. Fold angles of the
 /// hinges on the axis follow; poses and layer order are renewed; what collides is added to the
-/// collisions. Requires: every hinge between a moving and a resting facet lies on the axis (see
-/// movingFacets).
-FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Motion& motion);
+/// collisions, the movement to `record` where there is one. Requires: every hinge between a moving
+/// and a resting facet lies on the axis (see movingFacets).
+FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Motion& motion,
+                   Movements* record = nullptr);
+
+/// The same, but nobody looks for collisions: a moment of a motion that was looked at as a whole.
+FoldedState turned(FoldedState state, const std::vector<bool>& moves, const Motion& motion);
 
 /// The whole model moved by a rigid motion: nothing changes but where it lies.
 FoldedState placed(FoldedState state, const Rigid& motion);

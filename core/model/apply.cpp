@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/cut/add_edge.h"
 #include "core/fold/fold_line.h"
-#include "core/fold/rotate.h"
+#include "core/fold/group_motion.h"
 #include "core/model/numbers.h"
 #include "core/model/requests.h"
 #include "core/paper/boxes.h"
@@ -19,12 +19,13 @@ GroupMotion motionOf(Sequence sequence) {
 /// One function for each kind of step.
 class Applying {
  public:
-  Applying(const FoldedState& state, int number) : state_(state), number_(number) {}
+  Applying(const FoldedState& state, int number, Movements* record)
+      : state_(state), number_(number), record_(record) {}
 
   Result<FoldedState> operator()(const FoldStep& step) const {
     const Result<FoldRequest> request = foldRequest(state_, step, number_);
     if (!request) return request.error();
-    return fold(state_, *request);
+    return fold(state_, *request, record_);
   }
 
   Result<FoldedState> operator()(const AngleStep& step) const {
@@ -36,19 +37,19 @@ class Applying {
     }
     const Result<FoldLineId> line = locateFoldLine(state_, step.line);
     if (!line) return line.error();
-    return setAmount(state_, *line, step.angle);
+    return setAmount(state_, *line, step.angle, record_);
   }
 
   Result<FoldedState> operator()(const UnfoldStep& step) const {
     const Result<std::vector<FoldLineId>> lines = lineGroup(state_, step.lines);
     if (!lines) return lines.error();
-    return unfoldLines(state_, *lines, motionOf(step.sequence));
+    return unfoldLines(state_, *lines, motionOf(step.sequence), record_);
   }
 
   Result<FoldedState> operator()(const RefoldStep& step) const {
     const Result<std::vector<FoldLineId>> lines = lineGroup(state_, step.lines);
     if (!lines) return lines.error();
-    return refoldLines(state_, *lines, motionOf(step.sequence));
+    return refoldLines(state_, *lines, motionOf(step.sequence), record_);
   }
 
   Result<FoldedState> operator()(const TearStep& step) const {
@@ -78,20 +79,27 @@ class Applying {
 
   Result<FoldedState> operator()(const TurnOverStep& step) const {
     const Vec3 axis = step.axis == TurnAxis::Vertical ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
-    return placed(state_, rotationAbout(modelBoxOf(state_).middle(), axis, 180));
+    return carried({{modelBoxOf(state_).middle(), axis, 180}, {}});
   }
 
   Result<FoldedState> operator()(const RotateStep& step) const {
     const Vec3 about =
         step.about ? Vec3{step.about->x, step.about->y, 0} : modelBoxOf(state_).middle();
-    return placed(state_, rotationAbout(about, {0, 0, 1}, step.degrees));
+    return carried({{about, {0, 0, 1}, step.degrees}, {}});
   }
 
   Result<FoldedState> operator()(const MoveStep& step) const {
-    return placed(state_, translation({step.by.x, step.by.y, 0}));
+    return carried({{{}, {0, 0, 1}, 0}, {step.by.x, step.by.y, 0}});
   }
 
  private:
+  FoldedState carried(const Carrying& how) const {
+    Movement movement{std::make_shared<const FoldedState>(state_), how};
+    FoldedState end = stateDuring(movement, 1);
+    if (record_ != nullptr) record_->push_back(std::move(movement));
+    return end;
+  }
+
   template <class CutStep>
   Result<FoldedState> cutWith(const CutStep& step) const {
     const Result<CutRequest> request = cutRequest(state_, step);
@@ -101,13 +109,15 @@ class Applying {
 
   const FoldedState& state_;
   int number_;
+  Movements* record_;
 };
 
 }  // namespace
 
-Result<FoldedState> apply(const FoldedState& state, const Step& step, int number) {
+Result<FoldedState> apply(const FoldedState& state, const Step& step, int number,
+                          Movements* record) {
   if (const Status checked = checkNumbers(step); !checked) return checked.error();
-  Result<FoldedState> next = std::visit(Applying(state, number), step.action);
+  Result<FoldedState> next = std::visit(Applying(state, number, record), step.action);
   if (!next) return next;
   for (std::size_t i = state.collisions.size(); i < next->collisions.size(); ++i) {
     next->collisions[i].step = static_cast<std::uint32_t>(number);

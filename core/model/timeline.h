@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -37,7 +39,8 @@ struct Moment {
   bool isResting = true;     ///< between movements: the state is that after `step` steps
 };
 
-/// A stretch of time in which the crease pattern does not change and one movement, or rest, goes on.
+/// A stretch of time in which the crease pattern does not change and one movement, or rest, goes
+/// on.
 struct Phase {
   double start = 0;  ///< seconds
   double end = 0;
@@ -65,6 +68,8 @@ class Timeline {
   const FoldedState& stateAfter(std::size_t count) const { return *states_[count]; }
 
  private:
+  void layOut();
+
   std::vector<std::shared_ptr<const FoldedState>> states_;  ///< before the first step, after each
   std::vector<Movements> movements_;
   std::vector<Phase> phases_;

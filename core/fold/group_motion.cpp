@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "core/fold/group_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/fold/fold_line.h"
+
+namespace kiri {
+namespace {
+
+using Wanted = std::pair<FoldLineId, double>;
+
+/// Tries the lines in turn and again until all have moved; what moves without a collision goes
+/// first.
+Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted> wanted,
+                                   Movements* record) {
+  struct Try {
+    FoldedState state;
+    std::size_t place;
+    Movements movements;
+  };
+  FoldedState state = start;
+  while (!wanted.empty()) {
+    std::optional<Try> best;
+    std::optional<Error> error;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      Movements made;
+      Result<FoldedState> next =
+          setAmount(state, wanted[i].first, wanted[i].second, record != nullptr ? &made : nullptr);
+      if (!next) {
+        if (!error) error = next.error();
+        continue;
+      }
+      const bool isFree = next->collisions.size() == state.collisions.size();
+      if (isFree || !best) best = Try{std::move(*next), i, std::move(made)};
+      if (isFree) break;
+    }
+    if (!best) return *error;
+    state = std::move(best->state);
+    if (record != nullptr)
+      record->insert(record->end(), best->movements.begin(), best->movements.end());
+    wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(best->place));
+  }
+  return state;
+}
+
+Result<FoldedState> moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
+                                Movements* record) {
+  FoldedState state = start;
+  for (const auto& [line, amount] : wanted) {
+    Result<FoldedState> next = setAmount(state, line, amount, record);
+    if (!next) return next.error();
+    state = std::move(*next);
+  }
+  return state;
+}
+
+/// Every hinge at 0 at once: each piece lies flat in the plane of its rest.
+FoldedState flattened(const FoldedState& start) {
+  FoldedState state = start;
+  for (Edge& edge : state.pattern.edges) {
+    if (edge.kind == EdgeKind::Hinge) edge.angle = 0;
+  }
+  state.poses = derivePoses(state.pattern, state.rests);
+  const std::vector<std::uint32_t> piece = piecesOf(state.pattern);
+  std::vector<LayerSet> sets;
+  for (const Rest& rest : state.rests) {
+    LayerSet* home = nullptr;
+    const Vec3 normal = state.poseOf(rest.facet).normal();
+    for (LayerSet& set : sets) {
+      const Vec3 between =
+          state.poseOf(set.upward.front()).origin - state.poseOf(rest.facet).origin;
+      const bool isSame = length(cross(set.normal, normal)) <= kSamePlane &&
+                          std::abs(dot(normal, between)) <= state.tolerance().match();
+      if (home == nullptr && isSame) home = &set;
+    }
+    if (home == nullptr) home = &sets.emplace_back(LayerSet{normal, {}, {}});
+    for (std::size_t f = 0; f < piece.size(); ++f) {
+      if (piece[f] == piece[rest.facet.index]) home->upward.push_back(FacetId(f));
+    }
+  }
+  state.layers = LayerOrder(std::move(sets));
+  return state;
+}
+
+/// The lines that are to move at all, with where to.
+std::vector<Wanted> wantedOf(const FoldedState& state, const std::vector<FoldLineId>& lines,
+                             bool isUnfolding) {
+  std::vector<Wanted> wanted;
+  for (const FoldLineId line : lines) {
+    if (hingesOf(state, line).empty()) continue;
+    const double amount = isUnfolding ? 0 : state.lines[line.index].foldedAmount;
+    if (amountOf(state, line) != amount) wanted.push_back({line, amount});
+  }
+  return wanted;
+}
+
+/// All hinges of the lines at once; one leads, the one that turns most, the others follow it.
+PathRequest requestFor(const FoldedState& state, const std::vector<Wanted>& wanted) {
+  PathRequest request{anglesOf(state.pattern), {}, {}};
+  std::optional<std::size_t> leader;
+  double most = 0;
+  for (const auto& [line, amount] : wanted) {
+    for (const EdgeId id : hingesOf(state, line)) {
+      const Edge& edge = state.pattern[id];
+      request.wanted[id.index] = edge.sign * amount;
+      const double turn = std::abs(request.wanted[id.index] - edge.angle);
+      if (turn <= most && leader) {
+        request.free.push_back(id);
+        continue;
+      }
+      if (leader) request.free.push_back(EdgeId(*leader));
+      leader = id.index;
+      most = turn;
+    }
+  }
+  if (leader) request.driven.push_back(EdgeId(*leader));
+  return request;
+}
+
+std::shared_ptr<const RigidPath> pathFor(const FoldedState& state,
+                                         const std::vector<Wanted>& wanted) {
+  if (wanted.empty()) return nullptr;
+  std::optional<RigidPath> path = rigidPath(state, requestFor(state, wanted));
+  if (!path || !path->isComplete()) return nullptr;
+  return std::make_shared<const RigidPath>(std::move(*path));
+}
+
+Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wanted>& wanted,
+                                 Movements* record) {
+  Movements oneByOne;
+  Result<FoldedState> end = moveInAnyOrder(start, wanted, record != nullptr ? &oneByOne : nullptr);
+  if (end && record == nullptr) return end;
+  const std::shared_ptr<const RigidPath> path = pathFor(start, wanted);
+  if (path == nullptr) {
+    if (end) record->insert(record->end(), oneByOne.begin(), oneByOne.end());
+    return end;
+  }
+  if (!end) {
+    FoldedState opened = stateDuring(movementAlong(start, path, start), 1);
+    for (const auto& [line, amount] : wanted) {
+      if (amount != 0) opened.lines[line.index].foldedAmount = amount;
+    }
+    end = std::move(opened);
+  }
+  if (record != nullptr) record->push_back(movementAlong(start, path, *end));
+  return end;
+}
+
+/// True when nothing but hinges of these lines is folded.
+bool areAllFolded(const FoldedState& state, const std::vector<FoldLineId>& lines) {
+  return std::none_of(
+      state.pattern.edges.begin(), state.pattern.edges.end(), [&](const Edge& edge) {
+        const bool isMeant = std::find(lines.begin(), lines.end(), edge.line) != lines.end();
+        return edge.kind == EdgeKind::Hinge && edge.angle != 0 && !isMeant;
+      });
+}
+
+}  // namespace
+
+Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
+                                GroupMotion motion, Movements* record) {
+  std::reverse(lines.begin(), lines.end());
+  const std::vector<Wanted> wanted = wantedOf(state, lines, true);
+  if (motion == GroupMotion::InOrder) return moveInOrder(state, wanted, record);
+  Result<FoldedState> next = moveTogether(state, wanted, record);
+  if (!next && areAllFolded(state, lines)) return flattened(state);
+  return next;
+}
+
+Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
+                                GroupMotion motion, Movements* record) {
+  const std::vector<Wanted> wanted = wantedOf(state, lines, false);
+  return motion == GroupMotion::InOrder ? moveInOrder(state, wanted, record)
+                                        : moveTogether(state, wanted, record);
+}
+
+}  // namespace kiri

@@ -1,0 +1,29 @@
+// Several fold lines at once: unfolding and refolding (thesis 4.5 B17).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/fold/movement.h"
+#include "core/paper/folded_state.h"
+
+namespace kiri {
+
+/// How a group of fold lines moves.
+enum class GroupMotion {
+  InOrder,  ///< one by one; the first that cannot move is an error
+  Together  ///< at once, as leaves open. How they come to lie is that of turning them one by one in
+            ///< an order that works, free of collision before colliding; where creases form closed
+            ///< loops that no such order opens, that of the motion itself
+};
+
+/// Folds the lines (in this order) to 0, or to the amounts they were last folded to. Together and
+/// all of them to 0 always succeeds: flat paper is flat. Errors: those of setAmount. `record` gets
+/// the movements; none where the paper would have to bend on the way.
+Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
+                                GroupMotion motion, Movements* record = nullptr);
+Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
+                                GroupMotion motion, Movements* record = nullptr);
+
+}  // namespace kiri
