@@ -100,8 +100,9 @@ std::vector<Place> readPlaces(const Field& field, Frame frame) {
 
 LayerChoice readLayers(const Field& field, Frame frame) {
   if (!field.isObject()) {
+    if (field.isText() && field.json().text == kThrough) return ThroughAll{};
     if (!field.isText() || field.json().text != kAll) {
-      field.isNot("\"all\", {\"top\": count} or {\"facets\": [[x, y], ...]}");
+      field.isNot("\"all\", \"through\", {\"top\": count} or {\"facets\": [[x, y], ...]}");
     }
     return AllLayers{};
   }
@@ -209,7 +210,7 @@ JsonValue writeLayers(const LayerChoice& layers, Frame frame) {
   } else if (const auto* chosen = std::get_if<ChosenLayers>(&layers)) {
     out.add("facets", writePlaces(chosen->facets, frame));
   } else {
-    out = JsonValue::ofText(kAll);
+    out = JsonValue::ofText(std::holds_alternative<ThroughAll>(layers) ? kThrough : kAll);
   }
   return out;
 }

@@ -12,6 +12,7 @@ namespace kiri {
 
 /// Names for messages, and the text that stands for "all".
 inline constexpr const char* kAll = "all";
+inline constexpr const char* kThrough = "through";
 
 DrawnLine readLine(const Field& field);
 DrawnPath readPath(const Field& field);

@@ -2,6 +2,7 @@
 #include "core/cut/cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/base/text.h"
@@ -13,16 +14,42 @@
 namespace kiri {
 namespace {
 
-std::vector<Arc> mapped(const std::vector<Arc>& chain, const Rigid& from, const Rigid& to) {
-  const auto map = [&](Vec2 p) { return to.pullBack(from.apply(p)); };
-  std::vector<Arc> result = chain;
-  for (Arc& arc : result) {
-    arc.start = map(arc.start);
-    arc.end = map(arc.end);
-    if (!arc.isCurved) continue;
-    arc.control1 = map(arc.control1);
-    arc.control2 = map(arc.control2);
+/// Takes places in the plane of the cut to the paper frame of a facet, along the normal of that
+/// plane: affine, so that curves stay exact.
+class Onto {
+ public:
+  Onto(const Rigid& frame, const Rigid& pose)
+      : isCoplanar_(length(cross(frame.normal(), pose.normal())) <= kSamePlane),
+        frame_(frame),
+        pose_(pose),
+        x_{dot(pose.x, frame.x), dot(pose.x, frame.y)},
+        y_{dot(pose.y, frame.x), dot(pose.y, frame.y)},
+        origin_(frame.pullBack(pose.origin)) {}
+
+  Vec2 operator()(Vec2 p) const {
+    if (isCoplanar_) return pose_.pullBack(frame_.apply(p));
+    const Vec2 d = p - origin_;
+    return Vec2{cross(d, y_), cross(x_, d)} / cross(x_, y_);
   }
+
+  Arc operator()(const Arc& arc) const {
+    if (!arc.isCurved) return Arc::line((*this)(arc.start), (*this)(arc.end));
+    return Arc::cubic((*this)(arc.start), (*this)(arc.control1), (*this)(arc.control2),
+                      (*this)(arc.end));
+  }
+
+ private:
+  bool isCoplanar_;
+  const Rigid& frame_;
+  const Rigid& pose_;
+  Vec2 x_;
+  Vec2 y_;
+  Vec2 origin_;
+};
+
+std::vector<Arc> mapped(const std::vector<Arc>& chain, const Onto& onto) {
+  std::vector<Arc> result;
+  for (const Arc& arc : chain) result.push_back(onto(arc));
   return result;
 }
 
@@ -83,12 +110,13 @@ class Cutting {
 
  private:
   Status divide() {
+    if (const Status lie = checkUpright(); !lie) return lie;
     partHingesAlong();
     const std::size_t oldEdges = state_.pattern.edges.size();
-    const Rigid frame = state_.poseOf(request_.frame);
     const Result<std::size_t> count =
         divideLayers(state_, request_.layers, [&](CreasePattern& p, FacetId f) {
-          const std::vector<Arc> chain = mapped(request_.chain, frame, state_.poses[f.index]);
+          const std::vector<Arc> chain =
+              mapped(request_.chain, Onto(request_.frame, state_.poses[f.index]));
           return Result<std::vector<NewEdge>>(inscribe(p, f, chain, EdgeKind::Cut));
         });
     if (!count) return count.error();
@@ -102,11 +130,25 @@ class Cutting {
     return std::monostate{};
   }
 
+  /// A curtain that hangs from the cut would slide along such a facet.
+  Status checkUpright() const {
+    for (const FacetId f : request_.layers) {
+      if (std::abs(dot(normalOf(f), request_.frame.normal())) > kUpright) continue;
+      const Vec2 p = interiorPointOf(state_.pattern, f);
+      return Error{ErrorCode::BadValue,
+                   "the facet at " + text(p) +
+                       " mm on the sheet stands upright under the cut, which cannot go through it; "
+                       "fold it to one side first, or choose other layers",
+                   {{p}, {}, {p}}};
+    }
+    return std::monostate{};
+  }
+
   /// Where the cut runs along a crease, the crease itself is what is parted.
   void partHingesAlong() {
     std::vector<bool> isLayer(state_.pattern.facets.size(), false);
     for (const FacetId f : request_.layers) isLayer[f.index] = true;
-    const Rigid frame = state_.poseOf(request_.frame);
+    const Rigid& frame = request_.frame;
     const std::size_t count = state_.pattern.edges.size();
     for (const Arc& arc : request_.chain) {
       if (arc.isCurved) continue;
@@ -114,9 +156,8 @@ class Cutting {
         const Edge& edge = state_.pattern.edges[e];
         const bool isJoint = edge.kind == EdgeKind::Hinge || edge.kind == EdgeKind::Tear;
         if (!isJoint || !isLayer[edge.left.index] || !isLayer[edge.right.index]) continue;
-        const Rigid& pose = state_.poseOf(edge.left);
-        const EdgeEnds ends{pose.apply(state_.pattern[edge.from]),
-                            pose.apply(state_.pattern[edge.to])};
+        const EdgeEnds ends{frame.apply(toFrame(edge.left, state_.pattern[edge.from])),
+                            frame.apply(toFrame(edge.left, state_.pattern[edge.to]))};
         const auto stretch = stretchAlong(EdgeId(e), ends, frame.apply(arc.start),
                                           frame.apply(arc.end), state_.tolerance());
         if (!stretch) continue;
@@ -155,8 +196,8 @@ class Cutting {
             {{p}, {}, {}}};
   }
 
-  /// True when the facet lies in the plane of the frame with its other side up.
-  bool isTurned(FacetId facet) const { return dot(normalOf(facet), normalOf(request_.frame)) < 0; }
+  /// True when the facet shows its other side to whoever cuts.
+  bool isTurned(FacetId facet) const { return dot(normalOf(facet), request_.frame.normal()) < 0; }
   Vec3 normalOf(FacetId facet) const { return state_.poseOf(facet).normal(); }
 
   /// Sides by the cut itself, then by what hangs on what.
@@ -202,7 +243,7 @@ class Cutting {
 
   /// A point of a facet, in the coordinates of the chain.
   Vec2 toFrame(FacetId facet, Vec2 paper) const {
-    return state_.poseOf(request_.frame).pullBack(state_.poseOf(facet).apply(paper));
+    return request_.frame.pullBack(state_.poseOf(facet).apply(paper));
   }
 
   bool runsWithChain(EdgeId id) const {
@@ -240,15 +281,25 @@ class Cutting {
     return std::monostate{};
   }
 
+  /// The facets that hold a place: in the plane of the cut, or below and above it among the layers.
   std::vector<FacetId> facetsUnder(Vec2 place) const {
     std::vector<FacetId> found;
-    const Vec3 p = state_.poseOf(request_.frame).apply(place);
-    for (const FacetId f : state_.layers.sets()[state_.layers.setOf(request_.frame)].upward) {
-      const Vec2 here = state_.poseOf(f).pullBack(p);
+    for (const FacetId f : ground()) {
+      const Vec2 here = Onto(request_.frame, state_.poseOf(f))(place);
       if (locate(regionOf(state_.pattern, f), here, state_.tolerance().length()) != Where::Outside)
         found.push_back(f);
     }
     return found;
+  }
+
+  std::vector<FacetId> ground() const {
+    if (request_.facet) return state_.layers.sets()[state_.layers.setOf(*request_.facet)].upward;
+    std::vector<FacetId> facets;
+    for (std::size_t f = 0; f < state_.pattern.facets.size(); ++f) {
+      if (std::abs(dot(normalOf(FacetId(f)), request_.frame.normal())) > kUpright)
+        facets.push_back(FacetId(f));
+    }
+    return facets;
   }
 
   Error joined(FacetId facet) const {
@@ -260,6 +311,9 @@ class Cutting {
                 "go, or keep all",
             {{p}, {}, {p}}};
   }
+
+  static constexpr double kUpright =
+      1.0 / 4096;  ///< sine of the angle that still counts as upright
 
   FoldedState state_;
   const CutRequest& request_;

@@ -29,6 +29,17 @@ struct Box {
   Vec2 high;
 };
 
+/// The least box that holds both.
+constexpr Box joined(const Box& a, const Box& b) {
+  return {{a.low.x < b.low.x ? a.low.x : b.low.x, a.low.y < b.low.y ? a.low.y : b.low.y},
+          {a.high.x > b.high.x ? a.high.x : b.high.x, a.high.y > b.high.y ? a.high.y : b.high.y}};
+}
+/// True when the boxes overlap or lie no farther than `margin` apart.
+constexpr bool areNear(const Box& a, const Box& b, double margin) {
+  return a.low.x <= b.high.x + margin && b.low.x <= a.high.x + margin &&
+         a.low.y <= b.high.y + margin && b.low.y <= a.high.y + margin;
+}
+
 Vec2 pointAt(const Arc& arc, double t);
 /// First derivative by t (for a straight arc: end - start).
 Vec2 tangentAt(const Arc& arc, double t);

@@ -24,11 +24,6 @@ bool boxHolds(const Box& box, Vec2 p, double reach) {
          p.y <= box.high.y + reach;
 }
 
-bool boxesMeet(const Box& a, const Box& b, double reach) {
-  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach &&
-         a.low.y <= b.high.y + reach && b.low.y <= a.high.y + reach;
-}
-
 /// False when `p` is certainly farther than `reach` from the arc: spares most searches for the
 /// nearest point.
 bool mayReach(const Arc& arc, Vec2 p, double reach, int depth = 8) {
@@ -45,7 +40,7 @@ class Pair {
       : a_(a), b_(b), tolerance_(tolerance), reach_(tolerance.length()) {}
 
   std::vector<Meeting> find() {
-    if (!boxesMeet(boundsOf(a_), boundsOf(b_), reach_)) return {};
+    if (!areNear(boundsOf(a_), boundsOf(b_), reach_)) return {};
     addEnds();
     if (!a_.isCurved && !b_.isCurved) {
       // Two lines with an end of one on the other meet nowhere else, or coincide between two ends.

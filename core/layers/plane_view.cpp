@@ -8,10 +8,6 @@
 namespace kiri {
 namespace {
 
-bool doTouch(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 Box boxOf(const std::vector<Vec2>& points) {
   Box box{points.front(), points.front()};
   for (const Vec2 p : points) {
@@ -21,21 +17,16 @@ Box boxOf(const std::vector<Vec2>& points) {
   return box;
 }
 
-Box united(const Box& a, const Box& b) {
-  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-}
-
 /// True when test(p, q) is for two parts whose boxes touch. Parts are sorted, so each needs to look
 /// at few others.
 template <class Test>
 bool anyPair(const Footprint& first, const Footprint& second, Test test) {
-  if (!doTouch(first.box, second.box)) return false;
+  if (!areNear(first.box, second.box, 0)) return false;
   for (const FootprintPart& p : first.parts) {
-    if (!doTouch(p.box, second.box)) continue;
+    if (!areNear(p.box, second.box, 0)) continue;
     for (const FootprintPart& q : second.parts) {
       if (q.box.low.x > p.box.high.x) break;
-      if (doTouch(p.box, q.box) && test(p.points, q.points)) return true;
+      if (areNear(p.box, q.box, 0) && test(p.points, q.points)) return true;
     }
   }
   return false;
@@ -55,7 +46,7 @@ const Footprint& PlaneView::footprint(FacetId facet) {
     for (const Vec2 p : part.points) points.push_back(toPlane(pose.apply(p)));
     if (isFlipped) std::reverse(points.begin(), points.end());
     const Box box = boxOf(points);
-    result.box = result.parts.empty() ? box : united(result.box, box);
+    result.box = result.parts.empty() ? box : joined(result.box, box);
     result.parts.push_back({std::move(points), box});
   }
   std::stable_sort(

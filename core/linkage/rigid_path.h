@@ -23,12 +23,12 @@ double closureError(const CreasePattern& pattern, const std::vector<Rest>& rests
 
 /// What a rigid motion is asked for.
 struct PathRequest {
-  FoldAngles wanted;            ///< angles at the end
-  std::vector<EdgeId> driven;   ///< hinges that must go from their angles to the wanted ones, all in
-                                ///< the same proportion
-  std::vector<EdgeId> free;     ///< hinges that may take any angle on the way and at the end, to
-                                ///< keep loops closed; `wanted` is where they head for. All others
-                                ///< keep their angles
+  FoldAngles wanted;           ///< angles at the end
+  std::vector<EdgeId> driven;  ///< hinges that must go from their angles to the wanted ones, all in
+                               ///< the same proportion
+  std::vector<EdgeId> free;    ///< hinges that may take any angle on the way and at the end, to
+                               ///< keep loops closed; `wanted` is where they head for. All others
+                               ///< keep their angles
 };
 
 /// A motion in which no facet stretches: angles as a function of the part that is done.

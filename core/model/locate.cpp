@@ -246,6 +246,12 @@ Result<std::vector<FacetId>> locateLayers(const FoldedState& state, const LayerC
       facets.push_back(FacetId(i));
     return facets;
   }
+  if (std::holds_alternative<ThroughAll>(choice)) {
+    return Error{ErrorCode::BadValue,
+                 "only cuts drawn on the model go through paper in all planes; choose all layers, "
+                 "the top ones, or facets",
+                 {}};
+  }
   const ChosenLayers& chosen = std::get<ChosenLayers>(choice);
   Result<std::vector<FacetId>> facets = locateFacets(state, chosen.facets);
   if (!facets) return facets;

@@ -80,7 +80,8 @@ void chooseKept(const FoldedState& state, const Keep& keep, CutRequest& request)
     if (place.frame == Frame::Paper) {
       request.keepPieces.push_back(place.point);
     } else {
-      request.keepSides.push_back(onPlaneOf(state, request.frame, place.point));
+      request.keepSides.push_back(request.facet ? onPlaneOf(state, *request.facet, place.point)
+                                                : place.point);
     }
   }
 }
@@ -139,6 +140,21 @@ Result<std::vector<FacetId>> layersOfCurve(const FoldedState& state, const Layer
   return facets;
 }
 
+/// The box of a facet as it is seen from the front.
+Box shadowOf(const FoldedState& state, FacetId facet) {
+  const Rigid& pose = state.poseOf(facet);
+  const Vec2 first =
+      flatten(pose.apply(state.pattern[startOf(state.pattern, state.pattern[facet].border[0])]));
+  Box box{first, first};
+  for (const EdgeUse use : state.pattern[facet].border) {
+    const Arc arc = arcOf(state.pattern, use);
+    const Vec2 ends[] = {arc.end, arc.isCurved ? arc.control1 : arc.end,
+                         arc.isCurved ? arc.control2 : arc.end};
+    for (const Vec2 p : ends) box = joined(box, {flatten(pose.apply(p)), flatten(pose.apply(p))});
+  }
+  return box;
+}
+
 /// A point of a path on the vertex it is meant for.
 Vec2 snappedPathPoint(const FoldedState& state, bool isOnPaper, Vec2 p) {
   double nearest = state.tolerance().pick();
@@ -156,6 +172,25 @@ Vec2 snappedPathPoint(const FoldedState& state, bool isOnPaper, Vec2 p) {
     }
   }
   return result;
+}
+
+/// A cut straight down through whatever paper lies under it.
+Result<CutRequest> throughRequest(const FoldedState& state, Frame drawn, std::vector<Arc> chain,
+                                  const Keep& keep) {
+  if (drawn != Frame::Model) {
+    return Error{ErrorCode::BadValue,
+                 "a cut through paper in all planes is drawn on the model; give its points in the "
+                 "model frame",
+                 {}};
+  }
+  CutRequest request{Rigid{}, std::nullopt, std::move(chain), {}, {}, {}};
+  Box reach = boundsOf(request.chain.front());
+  for (const Arc& arc : request.chain) reach = joined(reach, boundsOf(arc));
+  for (std::size_t f = 0; f < state.pattern.facets.size(); ++f) {
+    if (areNear(reach, shadowOf(state, FacetId(f)), 0)) request.layers.push_back(FacetId(f));
+  }
+  chooseKept(state, keep, request);
+  return request;
 }
 
 }  // namespace
@@ -188,11 +223,17 @@ Result<FoldRequest> foldRequest(const FoldedState& state, const FoldStep& step, 
 }
 
 Result<CutRequest> cutRequest(const FoldedState& state, const StraightCutStep& step) {
+  if (std::holds_alternative<ThroughAll>(step.layers)) {
+    const Vec2 from = snappedPathPoint(state, step.line.frame == Frame::Paper, step.line.from);
+    const Vec2 to = snappedPathPoint(state, step.line.frame == Frame::Paper, step.line.to);
+    return throughRequest(state, step.line.frame, {Arc::line(from, to)}, step.keep);
+  }
   const Result<FacetLine> line = locateLine(state, step.line);
   if (!line) return line.error();
   Result<std::vector<FacetId>> layers = locateLayers(state, step.layers, *line);
   if (!layers) return layers.error();
-  CutRequest request{line->facet, {Arc::line(line->from, line->to)}, std::move(*layers), {}, {}};
+  CutRequest request{state.poseOf(line->facet), line->facet, {Arc::line(line->from, line->to)},
+                     std::move(*layers),        {},          {}};
   chooseKept(state, step.keep, request);
   return request;
 }
@@ -200,6 +241,8 @@ Result<CutRequest> cutRequest(const FoldedState& state, const StraightCutStep& s
 Result<CutRequest> cutRequest(const FoldedState& state, const CurveCutStep& step) {
   Result<std::vector<Arc>> chain = chainOf(step);
   if (!chain) return chain.error();
+  if (std::holds_alternative<ThroughAll>(step.layers))
+    return throughRequest(state, step.frame, *chain, step.keep);
   const Result<FacetId> frame = frameOfCurve(state, step, *chain);
   if (!frame) return frame.error();
   CurveCutStep here = step;
@@ -213,7 +256,7 @@ Result<CutRequest> cutRequest(const FoldedState& state, const CurveCutStep& step
   chain = chainOf(here);
   Result<std::vector<FacetId>> layers = layersOfCurve(state, step.layers, *frame, *chain);
   if (!layers) return layers.error();
-  CutRequest request{*frame, std::move(*chain), std::move(*layers), {}, {}};
+  CutRequest request{state.poseOf(*frame), *frame, std::move(*chain), std::move(*layers), {}, {}};
   chooseKept(state, step.keep, request);
   return request;
 }

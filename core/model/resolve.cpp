@@ -54,20 +54,22 @@ class Resolving {
 
   void operator()(StraightCutStep& step) const {
     const CutRequest request = *cutRequest(state_, step);
-    step.line = onPaper({request.frame, request.chain.front().start, request.chain.back().end});
-    step.layers = chosen(step.layers, request.layers);
     keepPieces(step.keep);
+    if (!request.facet) return;  // straight down on the model as it lies: that is the choice
+    step.line = onPaper({*request.facet, request.chain.front().start, request.chain.back().end});
+    step.layers = chosen(step.layers, request.layers);
   }
 
   void operator()(CurveCutStep& step) const {
     const CutRequest request = *cutRequest(state_, step);
+    keepPieces(step.keep);
+    if (!request.facet) return;
     if (step.frame == Frame::Model) {
-      for (Vec2& control : step.controls) control = onPlaneOf(state_, request.frame, control);
+      for (Vec2& control : step.controls) control = onPlaneOf(state_, *request.facet, control);
       step.frame = Frame::Paper;
     }
-    step.facet = interiorPointOf(state_.pattern, request.frame);
+    step.facet = interiorPointOf(state_.pattern, *request.facet);
     step.layers = chosen(step.layers, request.layers);
-    keepPieces(step.keep);
   }
 
   void operator()(TurnOverStep&) const {}

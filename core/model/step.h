@@ -44,7 +44,10 @@ struct TopLayers {
 struct ChosenLayers {
   std::vector<Place> facets;
 };
-using LayerChoice = std::variant<AllLayers, TopLayers, ChosenLayers>;
+/// All paper under a cut that is drawn in the model frame, in whatever plane it lies, straight down
+/// as seen from the front. For cuts only.
+struct ThroughAll {};
+using LayerChoice = std::variant<AllLayers, TopLayers, ChosenLayers, ThroughAll>;
 
 /// Which side of the line moves.
 enum class Hand { Left, Right };

@@ -83,11 +83,6 @@ std::optional<Error> checkSides(const NamedLoop& loop, double nearness) {
   return std::nullopt;
 }
 
-bool boxesMeet(const Box& a, const Box& b, double nearness) {
-  return a.low.x <= b.high.x + nearness && b.low.x <= a.high.x + nearness &&
-         a.low.y <= b.high.y + nearness && b.low.y <= a.high.y + nearness;
-}
-
 /// Where two sides meet that should not. Neighbours may meet at the corner they share, and nowhere
 /// else.
 std::optional<Vec2> conflict(const Arc& a, const Arc& b, bool aEndsAtB, bool bEndsAtA,
@@ -106,7 +101,7 @@ std::optional<Error> checkCrossings(const NamedLoop& a, const NamedLoop& b, bool
   for (std::size_t i = 0; i < n; ++i) {
     const Box box = boundsOf(a.sides[i]);
     for (std::size_t j = isSameLoop ? i + 1 : 0; j < b.sides.size(); ++j) {
-      if (!boxesMeet(box, boundsOf(b.sides[j]), tolerance.length())) continue;
+      if (!areNear(box, boundsOf(b.sides[j]), tolerance.length())) continue;
       const bool iThenJ = isSameLoop && (i + 1) % n == j;
       const bool jThenI = isSameLoop && (j + 1) % n == i;
       const std::optional<Vec2> where = conflict(a.sides[i], b.sides[j], iThenJ, jThenI, tolerance);

@@ -12,11 +12,10 @@
 namespace kiri {
 namespace {
 
-/// Takes the paper frame of a facet to the view.
+/// Takes the paper frame of a facet, or another frame in which something is drawn, to the view.
 class OnView {
  public:
-  OnView(const FoldedState& state, FacetId facet, const ViewFrame& view)
-      : pose_(state.poseOf(facet)), view_(view) {}
+  OnView(const Rigid& pose, const ViewFrame& view) : pose_(pose), view_(view) {}
   Vec2 operator()(Vec2 paper) const { return view_.project(pose_.apply(paper)); }
   Arc operator()(const Arc& arc) const {
     if (!arc.isCurved) return Arc::line((*this)(arc.start), (*this)(arc.end));
@@ -49,7 +48,7 @@ class LineFinder {
     NextLine line{LineKind::Cut, {}};
     const Result<CutRequest> request = cutRequest(state_, step);
     if (!request) return line;
-    const OnView onView(state_, request->frame, view_);
+    const OnView onView(request->frame, view_);
     line.chains.emplace_back();
     for (const Arc& arc : request->chain) line.chains.back().push_back(onView(arc));
     return line;
@@ -80,7 +79,7 @@ class LineFinder {
       if (path.frame == Frame::Paper) {
         const std::optional<FacetId> facet = facetAt(state_.pattern, lerp(from, to, 0.5));
         if (!facet) continue;
-        arc = OnView(state_, *facet, view_)(Arc::line(from, to));
+        arc = OnView(state_.poseOf(*facet), view_)(Arc::line(from, to));
       }
       const bool goesOn = !line.chains.empty() && line.chains.back().back().end == arc.start;
       if (!goesOn) line.chains.emplace_back();

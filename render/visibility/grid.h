@@ -48,14 +48,6 @@ class Grid {
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
-/// The box of both.
-inline Box joined(const Box& a, const Box& b) {
-  const auto low = [](double p, double q) { return p < q ? p : q; };
-  const auto high = [](double p, double q) { return p > q ? p : q; };
-  return {{low(a.low.x, b.low.x), low(a.low.y, b.low.y)},
-          {high(a.high.x, b.high.x), high(a.high.y, b.high.y)}};
-}
-
 inline Box grown(const Box& box, double margin) {
   return {{box.low.x - margin, box.low.y - margin}, {box.high.x + margin, box.high.y + margin}};
 }

@@ -121,6 +121,7 @@ class Words {
 std::optional<LayerChoice> layersOf(Words& words) {
   if (words.take("top")) return TopLayers{static_cast<int>(words.needNumber())};
   if (words.take("facets")) return ChosenLayers{words.places()};
+  if (words.take("through")) return ThroughAll{};
   return std::nullopt;
 }
 

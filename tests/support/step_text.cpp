@@ -41,6 +41,7 @@ std::string layersText(const LayerChoice& layers) {
     return " top " + std::to_string(top->count);
   if (const auto* chosen = std::get_if<ChosenLayers>(&layers))
     return " facets" + placesText(chosen->facets);
+  if (std::holds_alternative<ThroughAll>(layers)) return " through";
   return "";
 }
 
