@@ -114,6 +114,7 @@ TEST(KiriReader, ReadsTheOtherSteps) {
   EXPECT_EQ(stepOf<TurnOverStep>(everyStep()[20]).axis, TurnAxis::Horizontal);
   EXPECT_EQ(stepOf<RotateStep>(everyStep()[22]).about, (Vec2{75, 75}));
   EXPECT_EQ(stepOf<MoveStep>(everyStep()[23]).by, (Vec2{10, -5}));
+  EXPECT_TRUE(std::holds_alternative<ThroughAll>(stepOf<StraightCutStep>(everyStep()[24]).layers));
 }
 
 TEST(KiriReader, WarnsOfTypingErrorsInOptionalFields) {
@@ -299,7 +300,7 @@ TEST(KiriReader, NamesStepAndFieldOfMistakesInFolds) {
       {fileWithSteps(fold + R"("line": {"model": [[1, 2], [3, 4]], "facet": [1, 2]}, )" + rest),
        "\"line.facet\" goes with a line on the paper only"},
       {fileWithSteps(fold + line + R"("layers": "top", )" + rest),
-       "\"layers\" must be \"all\", {\"top\": count}"},
+       "\"layers\" must be \"all\", \"through\", {\"top\": count}"},
       {fileWithSteps(fold + line + R"("layers": {"top": 0}, )" + rest),
        "\"layers.top\" is 0, must lie between 1"},
       {fileWithSteps(fold + line + R"("layers": {"top": 1.5}, )" + rest),

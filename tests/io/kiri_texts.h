@@ -49,6 +49,7 @@ inline std::vector<std::string> everyStep() {
       R"({"do": "rotate", "degrees": 30})",
       R"({"do": "rotate", "degrees": -12.25, "about": [75, 75]})",
       R"({"do": "move", "by": [10, -5]})",
+      R"({"do": "straight cut", "line": {"model": [[0, 10], [150, 10]]}, "layers": "through", "keep": [[75, 75]]})",
   };
 }
 

@@ -40,6 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "fold C valley @model 110,30 70,-10 to m:98,2 top 1", "angle B 30",
                     "angle m:75,50 30", "unfold", "unfold B together", "edge @model 75,-10 75,60",
                     "cut @model 75,-10 75,60 keep m:60,20",
+                    "cut @model 75,-10 75,60 through keep m:60,20",
                     "curve @model 40,20 60,35 75,20 85,30 95,10 120,15 keep m:60,45",
                     "tear @model 50,50 75,50 top 1", "turn", "rotate 30", "move 5,6"));
 
