@@ -129,6 +129,14 @@ double angleBetween(const FoldedState& state, const Edge& edge) {
   return angleDegrees(c, s);
 }
 
+/// A hinge of a fold line that comes back folded against its line (a tuck) belongs to the line that
+/// way round from now on, so that the line unfolds and refolds as a whole.
+void turnWithLine(const FoldedState& state, Edge& edge) {
+  if (!edge.line.isValid() || edge.angle == 0) return;
+  const bool isPositive = state.lines[edge.line.index].foldedAmount > 0;
+  if ((edge.sign * edge.angle > 0) != isPositive) edge.sign = static_cast<std::int8_t>(-edge.sign);
+}
+
 Error noEdge(EdgeKind kind, Vec2 p, Vec2 q) {
   const std::string what = kind == EdgeKind::Hinge ? "no crease or edge lies" : "no torn edge lies";
   const std::string remedy =
@@ -221,6 +229,7 @@ Result<FoldedState> mend(const FoldedState& state, const EdgePath& path, const E
     if (!doSidesLieTogether(next, edge)) return apart(next, edge);
     edge.angle = angleBetween(next, edge);
     edge.kind = EdgeKind::Hinge;
+    turnWithLine(next, edge);
   }
   renewRests(next);
   for (const EdgeId id : edges) {

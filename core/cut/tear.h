@@ -30,8 +30,9 @@ struct EdgeChoice {
 Result<FoldedState> tear(const FoldedState& state, const EdgePath& path, const EdgeChoice& choice);
 
 /// Joins torn edges again, the inverse of tear: along the path, or (empty path) all whose sides lie
-/// together. Errors: NothingToDo - no torn edge there; CannotMend - the two sides have moved apart,
-/// with the place.
+/// together. A hinge that comes back folded against its fold line (a tuck) turns that way with the
+/// line from then on. Errors: NothingToDo - no torn edge there; CannotMend - the two sides have
+/// moved apart, with the place.
 Result<FoldedState> mend(const FoldedState& state, const EdgePath& path, const EdgeChoice& choice);
 
 }  // namespace kiri

@@ -119,6 +119,21 @@ TEST(Mend, IsRefusedWhileTheSidesAreApart) {
   EXPECT_TRUE(isClean(back));
 }
 
+/// The ship of thesis Figure 4.4 up to its mended bow: an inside reverse fold.
+const char* const kTuck =
+    "square 100; fold OP valley 0,0 100,100 to 20,80; unfold OP; tear 0,0 40,40;"
+    "fold QN valley 40,40 0,26.2 to 1,3; fold MN valley 40,40 26.2,0 to 3,1; refold OP; mend";
+
+TEST(Mend, OfATuckTurnsTheCreaseRoundWithinItsFoldLine) {
+  const FoldedState tucked = run(kTuck);
+  EXPECT_EQ(tucked.collisions.size(), 0u);
+  for (std::size_t line = 0; line < tucked.lines.size(); ++line)
+    EXPECT_EQ(amountOf(tucked, FoldLineId(line)), 180) << tucked.lines[line].name;
+  int mountains = 0;
+  for (const Edge& edge : tucked.pattern.edges) mountains += edge.angle == -180 ? 1 : 0;
+  EXPECT_EQ(mountains, 1);
+}
+
 TEST(Mend, WithNothingTornHasNothingToDo) {
   EXPECT_TRUE(failsWith(tryRun(std::string(kHalved) + "mend"), ErrorCode::NothingToDo, "torn"));
 }
