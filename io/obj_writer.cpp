@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/layers/layer_levels.h"
 #include "io/facet_mesh.h"
+#include "io/facet_triangles.h"
 #include "io/json_tree.h"
 
 namespace kiri {
@@ -17,19 +19,18 @@ namespace {
 class ObjText {
  public:
   ObjText(const FoldedState& state, const ObjOptions& options)
-      : state_(state), options_(options), mesh_(meshOf(state.pattern)) {}
+      : state_(state), options_(options), mesh_(meshOf(state.pattern)) {
+    if (options_.isPattern) {
+      poses_.assign(state.poses.size(), Rigid{});
+    } else {
+      poses_ = spreadPoses(state, options_.layerGap + options_.thickness);
+    }
+  }
 
   Exported write() {
     out_ = "# KiriSim, lengths in mm\n";
     if (!options_.title.empty()) out_ += "# " + onOneLine(options_.title) + "\n";
-    std::size_t face = 0;
-    while (face < mesh_.faces.size()) {
-      const FacetId facet = mesh_.faces[face].facet;
-      std::vector<std::size_t> faces;
-      for (; face < mesh_.faces.size() && mesh_.faces[face].facet == facet; ++face)
-        faces.push_back(face);
-      writeFacet(facet, faces);
-    }
+    for (const FacetTriangles& facet : trianglesOf(state_.pattern, mesh_)) writeFacet(facet);
     std::vector<std::string> losses = {
         "OBJ holds no creases, layers or fold angles: only the shape is written"};
     if (mesh_.hasCurves) losses.push_back("OBJ has no curves: curved edges became polylines");
@@ -48,85 +49,79 @@ class ObjText {
     return numberText(std::round(value * kParts) / kParts);
   }
 
-  Rigid placeOf(FacetId facet) const {
-    if (options_.isPattern) return {};
-    Rigid pose = state_.poseOf(facet);
-    if (options_.layerGap != 0) {
-      const LayerSet& set = state_.layers.sets()[state_.layers.setOf(facet)];
-      pose.origin = pose.origin + set.normal * (options_.layerGap * state_.layers.rankOf(facet));
+  void writeFacet(const FacetTriangles& facet) {
+    out_ += "g facet_" + std::to_string(facet.facet.index) + "\n";
+    const Rigid& pose = poses_[facet.facet.index];
+    const Vec3 half = pose.normal() * (options_.thickness / 2);
+    fronts_ = vertices_ + 1;
+    backs_ = fronts_;
+    writePoints(facet, pose, half);
+    if (options_.thickness > 0) {
+      backs_ = vertices_ + 1;
+      writePoints(facet, pose, -half);
     }
-    return pose;
+    writeSide(facet, PlateSide::Front, pose.normal());
+    if (options_.thickness > 0 || options_.isTwoSided) {
+      writeSide(facet, PlateSide::Back, -pose.normal());
+    }
+    if (options_.thickness > 0) writeRim(facet, pose);
   }
 
-  void writeVertex(const Rigid& pose, Vec2 paper) {
-    const Vec3 p = pose.apply(paper);
-    out_ += "v " + number(p.x) + " " + number(p.y) + " " + number(p.z) + "\n";
+  void writePoints(const FacetTriangles& facet, const Rigid& pose, Vec3 lift) {
     const Vec2 size = options_.sheet.high - options_.sheet.low;
-    const Vec2 from = paper - options_.sheet.low;
-    out_ += "vt " + number(size.x > 0 ? from.x / size.x : 0) + " " +
-            number(size.y > 0 ? from.y / size.y : 0) + "\n";
+    for (const Vec2 paper : facet.points) {
+      const Vec3 p = pose.apply(paper) + lift;
+      out_ += "v " + number(p.x) + " " + number(p.y) + " " + number(p.z) + "\n";
+      const Vec2 from = paper - options_.sheet.low;
+      out_ += "vt " + number(size.x > 0 ? from.x / size.x : 0) + " " +
+              number(size.y > 0 ? from.y / size.y : 0) + "\n";
+      ++vertices_;
+    }
   }
 
-  void writeTriangle(std::size_t a, std::size_t b, std::size_t c, std::size_t normal) {
+  void writeNormal(Vec3 normal) {
+    out_ += "vn " + number(normal.x) + " " + number(normal.y) + " " + number(normal.z) + "\n";
+    ++normals_;
+  }
+
+  void writeTriangle(const PlateTriangle& triangle) {
     out_ += "f";
-    for (const std::size_t v : {a, b, c}) {
-      const std::string text = std::to_string(v);
+    for (const PlateCorner& corner : triangle) {
+      const std::string text = std::to_string((corner.isFront ? fronts_ : backs_) + corner.point);
       out_.append(" ").append(text).append("/").append(text).append("/");
-      out_ += std::to_string(normal);
+      out_ += std::to_string(normals_);
     }
     out_ += "\n";
   }
 
-  void writeFan(const std::vector<std::size_t>& starts, const std::vector<std::size_t>& faces,
-                bool isFront) {
-    const std::size_t normal = isFront ? normals_ : normals_ + 1;
-    out_ += isFront ? "usemtl front\n" : "usemtl back\n";
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const std::size_t n = mesh_.faces[faces[i]].vertices.size();
-      for (std::size_t k = 1; k + 1 < n; ++k) {
-        const std::size_t second = starts[i] + (isFront ? k : k + 1);
-        const std::size_t third = starts[i] + (isFront ? k + 1 : k);
-        if (isTriangle(faces[i], k)) writeTriangle(starts[i], second, third, normal);
-      }
-    }
+  void writeSide(const FacetTriangles& facet, PlateSide side, Vec3 normal) {
+    writeNormal(normal);
+    out_ += side == PlateSide::Front ? "usemtl front\n" : "usemtl back\n";
+    for (const PlateTriangle& triangle : plateTriangles(facet, side)) writeTriangle(triangle);
   }
 
-  /// False for the empty triangles of a fan whose corners lie on one line.
-  bool isTriangle(std::size_t face, std::size_t k) const {
-    const std::vector<std::uint32_t>& loop = mesh_.faces[face].vertices;
-    const Vec2 a = mesh_.vertices[loop[k]] - mesh_.vertices[loop[0]];
-    const Vec2 b = mesh_.vertices[loop[k + 1]] - mesh_.vertices[loop[0]];
-    const double longest = std::max(length(a), length(b));
-    return cross(a, b) > longest * state_.tolerance().length();
-  }
-
-  void writeFacet(FacetId facet, const std::vector<std::size_t>& faces) {
-    out_ += "g facet_" + std::to_string(facet.index) + "\n";
-    const Rigid pose = placeOf(facet);
-    std::vector<std::size_t> starts;
-    for (const std::size_t face : faces) {
-      starts.push_back(vertices_ + 1);
-      for (const std::uint32_t v : mesh_.faces[face].vertices) {
-        writeVertex(pose, mesh_.vertices[v]);
-        ++vertices_;
+  void writeRim(const FacetTriangles& facet, const Rigid& pose) {
+    out_ += "usemtl rim\n";
+    const std::vector<PlateTriangle> triangles = plateTriangles(facet, PlateSide::Rim);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& [from, to] = facet.rim[i / 2];
+      if (i % 2 == 0) {
+        const Vec2 along = facet.points[to] - facet.points[from];
+        writeNormal(pose.direction(-perpendicular(normalized(along))));
       }
+      writeTriangle(triangles[i]);
     }
-    const Vec3 up = pose.normal();
-    out_ += "vn " + number(up.x) + " " + number(up.y) + " " + number(up.z) + "\n";
-    ++normals_;
-    writeFan(starts, faces, true);
-    if (!options_.isTwoSided) return;
-    out_ += "vn " + number(-up.x) + " " + number(-up.y) + " " + number(-up.z) + "\n";
-    writeFan(starts, faces, false);
-    ++normals_;
   }
 
   const FoldedState& state_;
   ObjOptions options_;
   FacetMesh mesh_;
+  std::vector<Rigid> poses_;
   std::string out_;
   std::size_t vertices_ = 0;
   std::size_t normals_ = 0;
+  std::size_t fronts_ = 1;  ///< number of the first vertex of the facet's front
+  std::size_t backs_ = 1;   ///< and of its back, the same where there is no thickness
 };
 
 }  // namespace

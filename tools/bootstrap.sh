@@ -45,11 +45,13 @@ show_failure() {
   say "the whole log: $KIRI_LOG"
 }
 
-# The packages that a door needs: packages_of kiri, packages_of kiri test.
+# The packages that a door needs: packages_of kiri, packages_of kiri test. Those whose command is there from
+# another source are left out: Debian's npm, for one, cannot stand beside the nodejs of NodeSource.
 packages_of() {
-  local name door _
-  while read -r name door _; do
+  local name door reason
+  while read -r name door reason; do
     [[ $name == \#* || -z $name ]] && continue
+    if [[ $reason =~ ^unless=([^ ]+) ]] && command -v "${BASH_REMATCH[1]}" >/dev/null; then continue; fi
     [[ " $* " == *" $door "* ]] && printf '%s\n' "$name"
   done <"$KIRI_ROOT/tools/packages.txt"
 }

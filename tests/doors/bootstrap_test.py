@@ -76,7 +76,7 @@ class Bootstrap(unittest.TestCase):
     def test_every_package_has_a_door_and_a_reason(self):
         for line in (ROOT / "tools/packages.txt").read_text().splitlines():
             if line and not line.startswith("#"):
-                self.assertRegex(line, r"^[a-z0-9.+-]+ +(kiri|test) +\S.*$")
+                self.assertRegex(line, r"^[a-z0-9.+-]+ +(kiri|test) +(unless=\S+ +)?[^\s=]+( .*)?$")
 
     def test_the_program_needs_less_than_the_tests(self):
         self.assertIn("g++", self.packages("kiri"))
@@ -94,6 +94,16 @@ class Bootstrap(unittest.TestCase):
         self.assertTrue(update.endswith("update"), update)
         self.assertTrue(install.endswith("install --no-install-recommends g++ cmake"), install)
         self.assertIn("DPkg::Lock::Timeout=600", install)
+
+    def test_a_command_from_elsewhere_stands_for_its_package(self):
+        (self.root / "tools/packages.txt").write_text(
+            "g++  kiri  the compiler\nsome-tool  kiri  unless=some-tool-command does a thing\n")
+        self.assertEqual(self.packages("kiri"), ["g++", "some-tool"])
+        self.stand_in("some-tool-command", "#!/bin/sh\n")
+        self.assertEqual(self.packages("kiri"), ["g++"])
+        self.have = "g++"
+        self.assertEqual(self.run_bash("install_missing kiri").returncode, 0)
+        self.assertEqual(self.recorded(), "")
 
     def test_a_failing_installation_says_what_to_do(self):
         self.have = ""

@@ -148,12 +148,17 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"sheet", file, "-o", out, "--columns", "-1"}, "--columns must lie between"},
       {{"sheet", file, "-o", out, "--width", "1"}, "--width must lie between"},
       {{"sheet", file, "-o", out, "--panel", "0"}, "--panel must be above 0"},
-      {{"export", file, "-o", path("o.stl")}, "this command writes .fold, .svg or .obj"},
+      {{"export", file, "-o", path("o.3ds")},
+       "this command writes .fold, .svg, .obj, .stl or .glb"},
       {{"export", file, "-o", path("o.svg"), "--view", "folded"},
        "for the folded model use kiri render"},
       {{"export", file, "-o", path("o.fold"), "--as-folded"},
        "--as-folded goes with --view pattern"},
-      {{"export", file, "-o", path("o.fold"), "--two-sided"}, "go with obj"},
+      {{"export", file, "-o", path("o.fold"), "--two-sided"}, "goes with obj"},
+      {{"export", file, "-o", path("o.stl"), "--two-sided"}, "--two-sided goes with obj"},
+      {{"export", file, "-o", path("o.fold"), "--thickness", "1"}, "go with obj, stl and glb"},
+      {{"export", file, "-o", path("o.stl"), "--thickness", "nan"}, "--thickness must lie between"},
+      {{"export", file, "-o", path("o.glb"), "--as-folded"}, "--as-folded goes with fold and svg"},
       {{"export", file, "-o", path("o.obj"), "--layer-gap", "-1"}, "--layer-gap must lie between"},
       {{"export", file, "-o", path("o.fold"), "--view", "flat"}, "it takes folded or pattern"},
   };
@@ -357,6 +362,12 @@ TEST_F(Cli, ExportsWhatOtherProgramsRead) {
   const std::string obj = get("m.obj");
   EXPECT_TRUE(holds(obj, "g facet_0\n") && holds(obj, "g facet_1\n"));
   EXPECT_TRUE(holds(obj, " 0.5\n")) << "the upper layer is lifted";
+
+  // Two facets of half the sheet: two triangles on each side, four sides of two.
+  ASSERT_EQ(kiri({"export", file, "--thickness", "0.5", "-o", path("m.stl")}).code, kDone);
+  EXPECT_EQ(get("m.stl").size(), 84u + 50u * 2 * (2 + 2 + 8));
+  ASSERT_EQ(kiri({"export", file, "-o", path("m.glb")}).code, kDone);
+  EXPECT_EQ(get("m.glb").substr(0, 4), "glTF");
 }
 
 }  // namespace

@@ -1,0 +1,156 @@
+// What kiri export writes: one function for each group of formats.
+// SPDX-License-Identifier: MIT
+#include "apps/cli/export_formats.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/picture_options.h"
+#include "io/gltf_writer.h"
+#include "io/obj_writer.h"
+#include "io/steps_json.h"
+#include "io/stl_writer.h"
+#include "io/svg_pattern_writer.h"
+#include "render/canvas/png.h"
+
+namespace kiri::cli {
+
+namespace {
+
+bool isSolid(const std::string& format) {
+  return format == "obj" || format == "stl" || format == "glb";
+}
+
+Status checkSolid(const ExportOptions& options, const std::string& format) {
+  const auto isWrong = [](const std::optional<double>& mm) {
+    constexpr double kWidest = 100;
+    return mm && !(*mm >= 0 && *mm <= kWidest);
+  };
+  if (isWrong(options.layerGap)) {
+    return Error{ErrorCode::BadValue, "--layer-gap must lie between 0 and 100 mm"};
+  }
+  if (isWrong(options.thickness)) {
+    return Error{ErrorCode::BadValue, "--thickness must lie between 0 and 100 mm"};
+  }
+  if (format != "obj" && options.isTwoSided) {
+    return Error{ErrorCode::BadValue, "--two-sided goes with obj"};
+  }
+  if (!isSolid(format) && (options.layerGap || options.thickness)) {
+    return Error{ErrorCode::BadValue, "--layer-gap and --thickness go with obj, stl and glb"};
+  }
+  return std::monostate{};
+}
+
+std::vector<FoldFrame> historyOf(const ExportSource& source) {
+  std::vector<FoldFrame> out;
+  for (std::size_t i = 0; i < source.steps; ++i) {
+    const Step& step = source.input.model.steps[i];
+    out.push_back({source.replay.outcomes[i].state,
+                   step.title.empty() ? describeStep(step, i + 1) : step.title, step.notes});
+  }
+  return out;
+}
+
+Exported foldOf(const ExportSource& source, const ExportOptions& options) {
+  const FoldOptions fold{"KiriSim " KIRI_VERSION, titleOf(source.input), source.input.model.notes};
+  if (options.view != "pattern") return writeFold(source.state, historyOf(source), fold);
+  return writeFold(options.isAsFolded ? asFolded(source.state) : source.state, {}, fold);
+}
+
+Exported svgOf(const ExportSource& source, const ExportOptions& options) {
+  SvgPatternOptions svg;
+  svg.title = titleOf(source.input);
+  return {writeSvgPattern(options.isAsFolded ? asFolded(source.state) : source.state, svg), {}};
+}
+
+Exported objOf(const ExportSource& source, const ExportOptions& options) {
+  ObjOptions obj;
+  obj.title = titleOf(source.input);
+  obj.sheet = appearanceOf(source.input.model).textureBox;
+  obj.isTwoSided = options.isTwoSided;
+  obj.layerGap = options.layerGap.value_or(obj.layerGap);
+  obj.thickness = options.thickness.value_or(obj.thickness);
+  obj.isPattern = options.view == "pattern";
+  return writeObj(source.state, obj);
+}
+
+Exported stlOf(const ExportSource& source, const ExportOptions& options) {
+  StlOptions stl;
+  stl.layerGap = options.layerGap.value_or(stl.layerGap);
+  stl.thickness = options.thickness.value_or(stl.thickness);
+  stl.isPattern = options.view == "pattern";
+  return writeStl(source.state, stl);
+}
+
+/// What is see-through in the image shows the colour of the paper, as in pictures.
+Image overColor(Image image, Color paper) {
+  constexpr int kFull = 255;
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    const std::uint8_t under[] = {paper.red, paper.green, paper.blue};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int mixed = image.rgba[i + k] * alpha + under[k] * (kFull - alpha);
+      image.rgba[i + k] = static_cast<std::uint8_t>((mixed + kFull / 2) / kFull);
+    }
+    image.rgba[i + 3] = kFull;
+  }
+  return image;
+}
+
+GltfSide gltfSide(const SideLook& look) {
+  GltfSide side{look.color, ""};
+  if (!look.texture) return side;
+  const Result<std::string> png = encodePng(overColor(*look.texture, look.color), 0);
+  if (png.isOk()) side.png = *png;
+  return side;
+}
+
+Exported glbOf(Console& console, const ExportSource& source, const ExportOptions& options) {
+  GltfOptions gltf;
+  gltf.generator = "KiriSim " KIRI_VERSION;
+  gltf.title = titleOf(source.input);
+  const Result<Appearance> appearance = appearanceFor(console, source.input, {});
+  if (appearance.isOk()) {
+    gltf.sheet = appearance->textureBox;
+    gltf.front = gltfSide(appearance->front);
+    gltf.back = gltfSide(appearance->back);
+  }
+  gltf.layerGap = options.layerGap.value_or(gltf.layerGap);
+  gltf.thickness = options.thickness.value_or(gltf.thickness);
+  gltf.isPattern = options.view == "pattern";
+  return writeGlb(source.state, gltf);
+}
+
+}  // namespace
+
+Status checkExport(const ExportOptions& options, const std::string& format) {
+  if (!options.view.empty() && options.view != "folded" && options.view != "pattern") {
+    return Error{ErrorCode::BadValue,
+                 "--view " + options.view + " is not known; it takes folded or pattern"};
+  }
+  if (format == "svg" && options.view == "folded") {
+    return Error{ErrorCode::BadValue,
+                 "export writes SVG of the crease pattern; for the folded model use kiri render"};
+  }
+  if (options.isAsFolded && isSolid(format)) {
+    return Error{ErrorCode::BadValue, "--as-folded goes with fold and svg"};
+  }
+  if (options.isAsFolded && format == "fold" && options.view != "pattern") {
+    return Error{ErrorCode::BadValue, "--as-folded goes with --view pattern"};
+  }
+  return checkSolid(options, format);
+}
+
+Exported exportedAs(Console& console, const std::string& format, const ExportSource& source,
+                    const ExportOptions& options) {
+  if (format == "fold") return foldOf(source, options);
+  if (format == "svg") return svgOf(source, options);
+  if (format == "obj") return objOf(source, options);
+  if (format == "stl") return stlOf(source, options);
+  return glbOf(console, source, options);
+}
+
+}  // namespace kiri::cli

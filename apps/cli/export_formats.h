@@ -1,0 +1,41 @@
+// What kiri export writes: one function for each group of formats.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "apps/cli/model_input.h"
+#include "io/fold_writer.h"
+
+namespace kiri::cli {
+
+struct ExportOptions {
+  std::string model;
+  std::string out;
+  std::string format;
+  std::string view;
+  std::optional<int> step;
+  bool isAsFolded = false;
+  bool isTwoSided = false;
+  std::optional<double> layerGap;
+  std::optional<double> thickness;
+};
+
+/// Mistakes that can be told before any work is done.
+Status checkExport(const ExportOptions& options, const std::string& format);
+
+/// The state that is written, and how it came to be.
+struct ExportSource {
+  const ModelInput& input;
+  const Replay& replay;
+  std::size_t steps;  ///< whole steps that are done
+  const FoldedState& state;
+};
+
+/// The bytes of the file in a format that checkExport let pass.
+Exported exportedAs(Console& console, const std::string& format, const ExportSource& source,
+                    const ExportOptions& options);
+
+}  // namespace kiri::cli
