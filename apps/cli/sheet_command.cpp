@@ -108,7 +108,7 @@ void addSheetCommand(CLI::App& app, Console& console, int& code) {
       ->add_option("--steps", options->steps,
                    "which panels, by their numbers, like first,3-5,last (default: all)")
       ->type_name("LIST");
-  addViewOptions(*command, options->view);
+  addViewOption(*command, options->view);
   command->add_option("--columns", options->columns, "panels in a row (default: as fits)")
       ->type_name("N");
   command->add_option("--width", options->width, "mm of the page (default 210)")->type_name("MM");

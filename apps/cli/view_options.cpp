@@ -26,13 +26,21 @@ std::string namesOf(const std::string& others) {
 
 }  // namespace
 
-void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& others) {
+void addViewOption(CLI::App& command, ViewOptions& options, const std::string& others) {
   command
       .add_option("--view", options.view,
                   namesOf(others) +
                       " or AZ,EL: degrees round the model (0: from the near edge, 90: from the "
                       "right) and up (90: from above, 0: level); default front")
       ->type_name("VIEW");
+}
+
+void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& others) {
+  addViewOption(command, options, others);
+  command
+      .add_option("--perspective", options.perspective,
+                  "field of view in degrees, up to 120; 0: parallel lines stay parallel (default)")
+      ->type_name("DEG");
 }
 
 Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& others) {
@@ -51,6 +59,7 @@ Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& other
     spec.azimuth = *azimuth;
     spec.elevation = *elevation;
   }
+  spec.fieldOfView = options.perspective;
   const Status status = checkViewSpec(spec);
   if (!status) return status.error();
   return spec;

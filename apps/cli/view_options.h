@@ -12,9 +12,13 @@ namespace kiri::cli {
 
 struct ViewOptions {
   std::string view = "front";
+  double perspective = 0;
 };
 
-/// Declares --view. `others`: what else the command takes there, like "pattern"; may be empty.
+/// Declares --view alone. `others`: what else the command takes there, like "pattern"; may be
+/// empty.
+void addViewOption(CLI::App& command, ViewOptions& options, const std::string& others = "");
+/// Declares --view and all that helps to read folds in space.
 void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& others = "");
 
 /// What the options ask for; `options.view` is not one of the `others`. Errors: BadValue - words

@@ -51,16 +51,32 @@ Scene modelScene(const FoldedState& state, const Appearance& appearance, const V
   return scene;
 }
 
+namespace {
+
+/// The frame for a picture of the state; `options.sphere` may be that of other states too.
+Result<ViewFrame> frameFor(const FoldedState& state, const ViewSpec& spec,
+                           const ModelSceneOptions& options) {
+  const Sphere own = sphereOf(state, spec);
+  const Sphere sphere = options.sphere.value_or(own);
+  const Result<ViewFrame> view = frameOf(spec, sphere);
+  if (!view || !view->isPerspective()) return view;
+  const double away = distance(view->eye(), own.centre);
+  const Result<ViewFrame> isOutside = withEye(*view, own, away);
+  return isOutside ? view : isOutside;
+}
+
+}  // namespace
+
 Result<Scene> modelScene(const FoldedState& state, const Appearance& appearance,
                          const ViewSpec& spec, const ModelSceneOptions& options) {
-  const Result<ViewFrame> view = frameOf(spec, options.sphere.value_or(sphereOf(state, spec)));
+  const Result<ViewFrame> view = frameFor(state, spec, options);
   if (!view) return view.error();
   return modelScene(state, appearance, *view, options);
 }
 
 Result<Box> pictureBox(const FoldedState& state, const ViewSpec& spec,
                        const ModelSceneOptions& options) {
-  const Result<ViewFrame> view = frameOf(spec, options.sphere.value_or(sphereOf(state, spec)));
+  const Result<ViewFrame> view = frameFor(state, spec, options);
   if (!view) return view.error();
   return boxOfPicture(state, *view, visibleRegions(state, *view));
 }

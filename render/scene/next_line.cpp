@@ -8,25 +8,19 @@
 #include "core/model/locate.h"
 #include "core/model/requests.h"
 #include "render/scene/sheet_scene.h"
+#include "render/visibility/projection.h"
 
 namespace kiri {
 namespace {
 
-/// Takes the paper frame of a facet, or another frame in which something is drawn, to the view.
-class OnView {
- public:
-  OnView(const Rigid& pose, const ViewFrame& view) : pose_(pose), view_(view) {}
-  Vec2 operator()(Vec2 paper) const { return view_.project(pose_.apply(paper)); }
-  Arc operator()(const Arc& arc) const {
-    if (!arc.isCurved) return Arc::line((*this)(arc.start), (*this)(arc.end));
-    return Arc::cubic((*this)(arc.start), (*this)(arc.control1), (*this)(arc.control2),
-                      (*this)(arc.end));
-  }
-
- private:
-  const Rigid& pose_;
-  const ViewFrame& view_;
-};
+/// Adds the arcs that show an arc of the paper frame of a facet, or of another frame in which
+/// something is drawn.
+void appendArcs(const Arc& drawn, const Rigid& pose, const ViewFrame& view,
+                const Tolerance& tolerance, std::vector<Arc>& out) {
+  std::vector<SeenArc> seen;
+  appendSeen(drawn, pose, view, tolerance.match(), seen);
+  for (const SeenArc& piece : seen) out.push_back(piece.arc);
+}
 
 class LineFinder {
  public:
@@ -48,9 +42,10 @@ class LineFinder {
     NextLine line{LineKind::Cut, {}};
     const Result<CutRequest> request = cutRequest(state_, step);
     if (!request) return line;
-    const OnView onView(request->frame, view_);
     line.chains.emplace_back();
-    for (const Arc& arc : request->chain) line.chains.back().push_back(onView(arc));
+    for (const Arc& arc : request->chain) {
+      appendArcs(arc, request->frame, view_, state_.tolerance(), line.chains.back());
+    }
     return line;
   }
 
@@ -79,7 +74,9 @@ class LineFinder {
       if (path.frame == Frame::Paper) {
         const std::optional<FacetId> facet = facetAt(state_.pattern, lerp(from, to, 0.5));
         if (!facet) continue;
-        arc = OnView(state_.poseOf(*facet), view_)(Arc::line(from, to));
+        std::vector<Arc> arcs;
+        appendArcs(Arc::line(from, to), state_.poseOf(*facet), view_, state_.tolerance(), arcs);
+        arc = arcs.front();
       }
       const bool goesOn = !line.chains.empty() && line.chains.back().back().end == arc.start;
       if (!goesOn) line.chains.emplace_back();

@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "render/scene/line_looks.h"
+#include "render/scene/seen_texture.h"
+#include "render/visibility/grid.h"
+#include "render/visibility/projection.h"
 
 namespace kiri {
 namespace {
@@ -104,12 +107,15 @@ class PaperItems {
   std::vector<std::vector<Arc>> slits() const {
     std::vector<std::vector<Arc>> chains;
     for (const VisibleFacet& facet : regions_.facets) {
-      const Affine toView = paperToView(state_.poseOf(facet.facet), view_);
       for (const EdgeUse use : state_.pattern[facet.facet].border) {
         const Edge& edge = state_.pattern[use.edge];
         if (use.isReversed || edge.left != edge.right || edge.kind == EdgeKind::Hinge) continue;
-        const Arc arc = transformed(toView, arcOf(state_.pattern, use));
-        for (const Arc& part : partsInside(facet, arc)) chains.push_back({inScene(part)});
+        std::vector<SeenArc> seen;
+        appendSeen(arcOf(state_.pattern, use), state_.poseOf(facet.facet), view_,
+                   state_.tolerance().match(), seen);
+        for (const SeenArc& piece : seen) {
+          for (const Arc& part : partsInside(facet, piece.arc)) chains.push_back({inScene(part)});
+        }
       }
     }
     return chains;
@@ -140,9 +146,18 @@ class PaperItems {
   }
 
   Fill fillFor(const VisibleFacet& facet) const {
-    const Affine paperToScene =
-        compose(viewToScene_, paperToView(state_.poseOf(facet.facet), view_));
-    return fillOf(appearance_, facet.showsFront, paperToScene);
+    const Rigid& pose = state_.poseOf(facet.facet);
+    if (!view_.isPerspective()) {
+      return fillOf(appearance_, facet.showsFront, compose(viewToScene_, paperToView(pose, view_)));
+    }
+    Fill fill = fillOf(appearance_, facet.showsFront, {});
+    if (!fill.image) return fill;
+    const double scale = std::hypot(viewToScene_.a, viewToScene_.b);
+    const Box box = grown(boundsOf(VisibleRegions{{facet}}), 2 * kSeamWidth / scale);
+    const Vec2 size = box.high - box.low;
+    fill.image = seenTexture(*fill.image, fill.imageToScene, pose, view_, box);
+    fill.imageToScene = compose(viewToScene_, {size.x, 0, 0, size.y, box.low.x, box.low.y});
+    return fill;
   }
 
   /// The silhouette as loops with the paper on their left. Pieces meet at the very same points.
@@ -190,8 +205,8 @@ void append(std::vector<Group>& groups, Group group, const std::string& id, cons
 }  // namespace
 
 Affine paperToView(const Rigid& pose, const ViewFrame& view) {
-  const Vec2 x = view.project(pose.x);
-  const Vec2 y = view.project(pose.y);
+  const Vec2 x = view.direction(pose.x);
+  const Vec2 y = view.direction(pose.y);
   const Vec2 origin = view.project(pose.origin);
   return {x.x, x.y, y.x, y.y, origin.x, origin.y};
 }

@@ -16,7 +16,7 @@ namespace kiri {
 /// How a facet is filled that lies in the scene as `paperToScene` says.
 Fill fillOf(const Appearance& appearance, bool showsFront, const Affine& paperToScene);
 
-/// The paper frame of a facet in view coordinates.
+/// The paper frame of a facet in the coordinates of an orthographic view.
 Affine paperToView(const Rigid& pose, const ViewFrame& view);
 
 /// The visible parts of a model as groups `prefix` + "seams", "paper", "creases" and "edges". The

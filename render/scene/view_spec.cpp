@@ -3,6 +3,7 @@
 #include "render/scene/view_spec.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/base/text.h"
@@ -23,9 +24,12 @@ Status within(double value, double low, double high, const char* what, const cha
 Status checkViewSpec(const ViewSpec& spec) {
   constexpr double kFullTurn = 360;
   constexpr double kPole = 90;
+  constexpr double kWidest = 120;
   for (const Status& status :
        {within(spec.azimuth, -kFullTurn, kFullTurn, "the azimuth of a view", " degrees"),
-        within(spec.elevation, -kPole, kPole, "the elevation of a view", " degrees")}) {
+        within(spec.elevation, -kPole, kPole, "the elevation of a view", " degrees"),
+        within(spec.fieldOfView, 0, kWidest, "the field of view",
+               " degrees (0: no perspective)")}) {
     if (!status) return status;
   }
   return std::monostate{};
@@ -56,15 +60,37 @@ Sphere joined(const Sphere& a, const Sphere& b) {
   return {a.centre + (b.centre - a.centre) * ((radius - a.radius) / apart), radius};
 }
 
-Result<ViewFrame> frameOf(const ViewSpec& spec, const Sphere&) {
+Result<ViewFrame> frameOf(const ViewSpec& spec, const Sphere& sphere) {
   const Status status = checkViewSpec(spec);
   if (!status) return status.error();
-  return viewFrom(spec.azimuth, spec.elevation);
+  const ViewFrame view = viewFrom(spec.azimuth, spec.elevation);
+  if (!(spec.fieldOfView > 0) || !(sphere.radius > 0)) return view;
+  return withEye(view, sphere, sphere.radius / cosSinDegrees(spec.fieldOfView / 2).sin);
+}
+
+Result<ViewFrame> withEye(const ViewFrame& view, const Sphere& sphere, double distance) {
+  constexpr double kNearest = 10.0 / 9;  // the nearest point of the ball is enlarged tenfold there
+  if (!(distance >= kNearest * sphere.radius)) {
+    return Error{ErrorCode::BadValue,
+                 "the eye would be " + text(distance) +
+                     " mm from the middle of the model, inside it or too close; choose at least " +
+                     text(kNearest * sphere.radius) + " mm",
+                 {}};
+  }
+  ViewFrame out = view;
+  out.centre = sphere.centre;
+  out.eyeDistance = distance;
+  return out;
 }
 
 Box boxOf(const ViewFrame& view, const Sphere& sphere) {
   const Vec2 middle = view.project(sphere.centre);
-  const Vec2 half{sphere.radius, sphere.radius};
+  double radius = sphere.radius;
+  if (view.isPerspective()) {  // the cone that touches the ball, in the plane through its middle
+    const double away = view.eyeDistance;
+    radius = away * radius / std::sqrt(away * away - radius * radius);
+  }
+  const Vec2 half{radius, radius};
   return {middle - half, middle + half};
 }
 

@@ -38,6 +38,11 @@ Sphere joined(const Sphere& a, const Sphere& b);
 /// true size. Errors: those of checkViewSpec.
 Result<ViewFrame> frameOf(const ViewSpec& spec, const Sphere& sphere);
 
+/// The same view in perspective, from an eye `distance` mm above the middle of the ball. Errors:
+/// BadValue - an eye inside the ball, or so near to it that the paper would seem ten times as
+/// large.
+Result<ViewFrame> withEye(const ViewFrame& view, const Sphere& sphere, double distance);
+
 /// The box, view coordinates, that holds the picture of everything inside the ball: one and the
 /// same size for every view of it, the middle of the ball in its middle.
 Box boxOf(const ViewFrame& view, const Sphere& sphere);

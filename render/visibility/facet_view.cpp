@@ -6,26 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/check.h"
+
 namespace kiri {
 namespace {
 
 constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
-
-/// The paper frame in view coordinates.
-struct Placement {
-  Vec2 x, y, origin;
-  Vec2 apply(Vec2 p) const { return x * p.x + y * p.y + origin; }
-  Arc apply(const Arc& arc) const {
-    Arc out = arc;
-    out.start = apply(arc.start);
-    out.end = apply(arc.end);
-    if (arc.isCurved) {
-      out.control1 = apply(arc.control1);
-      out.control2 = apply(arc.control2);
-    }
-    return out;
-  }
-};
 
 Box boxOf(const std::vector<Arc>& arcs) {
   Box box = boundsOf(arcs.front());
@@ -67,61 +53,87 @@ Region FacetView::region() const {
   return out;
 }
 
-FacetViews::FacetViews(const FoldedState& state, const ViewFrame& view) : state_(state) {
+double FacetView::onEdge(std::uint32_t arc, double t) const {
+  if (!sources.empty()) t = sources[arc].onPaper(t);
+  return uses[arc].isReversed ? 1 - t : t;
+}
+
+FacetViews::FacetViews(const FoldedState& state, const ViewFrame& view)
+    : state_(state), frame_(view) {
   const auto& sets = state.layers.sets();
   views_.reserve(state.pattern.facets.size());
   std::vector<std::pair<double, std::size_t>>
       order;  // nearest first, so that far sets find their occluders
   for (std::size_t s = 0; s < sets.size(); ++s) {
+    const Vec3 place =
+        sets[s].upward.empty() ? Vec3{} : state.poseOf(sets[s].upward.front()).origin;
     hasExceptions_.push_back(!sets[s].exceptions.empty());
-    isFlipped_.push_back(view.depth(sets[s].normal) < 0);
-    const double depth =
-        sets[s].upward.empty() ? 0 : view.depth(state.poseOf(sets[s].upward.front()).origin);
-    order.emplace_back(-depth, s);
+    isFlipped_.push_back(view.facing(sets[s].normal, place) < 0);
+    order.emplace_back(-dot(place, view.toEye), s);
   }
   std::sort(order.begin(), order.end());
   for (const auto& [depth, s] : order) {
     const auto& upward = sets[s].upward;
     for (std::size_t i = 0; i < upward.size(); ++i) {
       const std::size_t place = isFlipped_[s] ? i : upward.size() - 1 - i;
-      add(upward[place], view, static_cast<std::uint32_t>(upward.size() - 1 - i));
+      add(upward[place], static_cast<std::uint32_t>(upward.size() - 1 - i));
     }
   }
   collectExceptions();
 }
 
-void FacetViews::add(FacetId facet, const ViewFrame& view, std::uint32_t rank) {
+void FacetViews::add(FacetId facet, std::uint32_t rank) {
   const Rigid& pose = state_.poseOf(facet);
-  const double towards = view.depth(pose.normal());
+  const double towards = frame_.facing(pose.normal(), pose.origin);
   // Seen edge-on: narrower than any line, and its depth would be all rounding.
   if (std::abs(towards) * tolerance().sheetSize() < tolerance().pick()) return;
-  const Placement place{view.project(pose.x), view.project(pose.y), view.project(pose.origin)};
-  const Facet& source = state_.pattern[facet];
   FacetView out;
   out.id = facet;
   out.showsFront = towards > 0;
   out.set = state_.layers.setOf(facet);
   out.rank = rank;
-  out.slope = view.project(pose.normal()) * (-1 / towards);
-  out.depth0 = dot(pose.normal(), pose.origin) / towards;
-  const std::size_t n = source.border.size();
-  out.arcs.reserve(n);
-  out.uses.reserve(n);
-  for (std::size_t loop = 0; loop <= source.holeStarts.size(); ++loop) {
-    const std::size_t from = loop == 0 ? 0 : source.holeStarts[loop - 1];
-    const std::size_t to = loop < source.holeStarts.size() ? source.holeStarts[loop] : n;
-    out.loopStarts.push_back(static_cast<std::uint32_t>(from));
-    for (std::size_t i = from; i < to; ++i) {
-      EdgeUse use = source.border[out.showsFront ? i : from + to - 1 - i];
-      if (!out.showsFront) use.isReversed = !use.isReversed;
-      out.arcs.push_back(place.apply(arcOf(state_.pattern, use)));
-      out.uses.push_back(use);
-    }
-  }
+  // The plane of the facet, solved for depth; in perspective that of the projected space, in which
+  // planes are planes again (ViewFrame::depth).
+  const Vec2 across = frame_.direction(pose.normal());
+  const Vec3 centre = frame_.isPerspective() ? frame_.centre : Vec3{};
+  out.slope = across * (-1 / towards);
+  out.depth0 =
+      (dot(pose.normal(), pose.origin - centre) + dot(across, frame_.direction(centre))) / towards;
+  addBorder(facet, out);
   if (out.arcs.empty()) return;
   out.box = boxOf(out.arcs);
   out.isConvex = isConvexLoop(out, tolerance().match());
   views_.push_back(std::move(out));
+}
+
+void FacetViews::addBorder(FacetId facet, FacetView& out) const {
+  const Rigid& pose = state_.poseOf(facet);
+  const Facet& source = state_.pattern[facet];
+  const std::size_t n = source.border.size();
+  out.arcs.reserve(n);
+  out.uses.reserve(n);
+  std::vector<SeenArc> seen;
+  for (std::size_t loop = 0; loop <= source.holeStarts.size(); ++loop) {
+    const std::size_t from = loop == 0 ? 0 : source.holeStarts[loop - 1];
+    const std::size_t to = loop < source.holeStarts.size() ? source.holeStarts[loop] : n;
+    out.loopStarts.push_back(static_cast<std::uint32_t>(out.arcs.size()));
+    for (std::size_t i = from; i < to; ++i) {
+      EdgeUse use = source.border[out.showsFront ? i : from + to - 1 - i];
+      if (!out.showsFront) use.isReversed = !use.isReversed;
+      seen.clear();
+      // Finer than places are told apart, so that layers cut along one curve stay together.
+      appendSeen(arcOf(state_.pattern, use), pose, frame_, tolerance().match() / 2, seen);
+      for (const SeenArc& part : seen) {
+        out.arcs.push_back(part.arc);
+        out.uses.push_back(use);
+        if (!frame_.isPerspective()) continue;
+        KIRI_CHECK(part.nearStart > 0 && part.nearEnd > 0, "the eye lies outside of the model");
+        out.sources.push_back(part);
+        const double nearest = std::max(part.nearStart, part.nearEnd);
+        out.depthUnit = std::max(out.depthUnit, nearest * nearest);
+      }
+    }
+  }
 }
 
 bool FacetViews::isPlainStack() const {
@@ -130,7 +142,7 @@ bool FacetViews::isPlainStack() const {
 
 double FacetViews::depthTolerance(const FacetView& a, const FacetView& b) const {
   const Vec2 d = a.slope - b.slope;
-  return tolerance().match() * (1 + std::abs(d.x) + std::abs(d.y));
+  return tolerance().match() * (std::max(a.depthUnit, b.depthUnit) + std::abs(d.x) + std::abs(d.y));
 }
 
 bool FacetViews::isOverInSet(const FacetView& a, const FacetView& b) const {

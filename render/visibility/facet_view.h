@@ -10,6 +10,7 @@
 #include "core/geometry/cubic.h"
 #include "core/geometry/region.h"
 #include "core/paper/folded_state.h"
+#include "render/visibility/projection.h"
 #include "render/visibility/view_frame.h"
 
 namespace kiri {
@@ -24,17 +25,22 @@ struct FacetView {
   std::uint32_t rank = 0;  ///< place in its set as seen from the eye, 0 at the bottom
   std::vector<Arc> arcs;
   std::vector<EdgeUse> uses;              ///< where each arc comes from
+  std::vector<SeenArc> sources;           ///< in perspective: which part of it each arc shows
   std::vector<std::uint32_t> loopStarts;  ///< first arc of each loop
   Box box;
   double depth0 = 0;  ///< depth at (x, y) is depth0 + dot(slope, (x, y))
   Vec2 slope;
 
+  double depthUnit = 1;  ///< at most so many mm of depth are a mm of the model
+
   double depthAt(Vec2 p) const { return depth0 + dot(slope, p); }
+  /// The parameter on its edge, in the edge's own direction, of a point of an arc.
+  double onEdge(std::uint32_t arc, double t) const;
   Region region() const;
 };
 
-/// The facets of a state in one view, and which of them lies over which. Keeps references to the
-/// state.
+/// The facets of a state in one view, and which of them lies over which. Keeps a reference to the
+/// state. In perspective the eye must lie outside of the model.
 class FacetViews {
  public:
   FacetViews(const FoldedState& state, const ViewFrame& view);
@@ -49,6 +55,7 @@ class FacetViews {
   /// True when all lie in one plane and the list says all: those that come first in all() are over
   /// those after them.
   bool isPlainStack() const;
+  const ViewFrame& frame() const { return frame_; }
   /// How far the depths of two planes may differ where they touch.
   double depthTolerance(const FacetView& a, const FacetView& b) const;
   /// The facets that lie over facet `number` against the order of the list of their set; numbers
@@ -56,11 +63,13 @@ class FacetViews {
   std::vector<std::uint32_t> exceptionsOver(std::uint32_t number) const;
 
  private:
-  void add(FacetId facet, const ViewFrame& view, std::uint32_t rank);
+  void add(FacetId facet, std::uint32_t rank);
+  void addBorder(FacetId facet, FacetView& out) const;
   void collectExceptions();
   bool isOverInSet(const FacetView& a, const FacetView& b) const;
 
   const FoldedState& state_;
+  ViewFrame frame_;
   std::vector<FacetView> views_;
   std::vector<bool> hasExceptions_;  ///< for each set
   std::vector<bool> isFlipped_;      ///< for each set: its normal points away from the eye

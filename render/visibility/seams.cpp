@@ -30,9 +30,7 @@ std::uint32_t sourceOf(const Arrangement& map, const Side& side, std::uint32_t f
 
 class Seams {
  public:
-  Seams(const FoldedState& state, const ViewFrame& view, const FacetViews& views,
-        const Arrangement& map)
-      : state_(state), view_(view), views_(views), map_(map) {}
+  Seams(const FacetViews& views, const Arrangement& map) : views_(views), map_(map) {}
 
   std::vector<HalfSeam> run(const std::vector<SeenBeside>& seen) {
     for (std::size_t i = 0; i < map_.sides.size(); ++i) {
@@ -43,6 +41,14 @@ class Seams {
   }
 
  private:
+  /// Where on an arc of a facet a half lies, in the half's own direction.
+  struct Source {
+    std::uint32_t facet = kNoFacet;
+    std::uint32_t arc = 0;
+    double from = 0;
+    double to = 1;
+  };
+
   void addSide(const Side& side, SeenBeside seen) {
     const bool isForward = seen.left != kNothing;
     if (!isForward) std::swap(seen.left, seen.right);
@@ -51,6 +57,7 @@ class Seams {
       addHalf(side, !isForward, seen.right, seen.left);
     } else {
       halves_.push_back({halves_.back().to, halves_.back().from, kNoFacet, {}});
+      sources_.push_back({});
     }
   }
 
@@ -61,18 +68,19 @@ class Seams {
     half.facet = facet;
     half.piece.arc = isForward ? side.arc : reversed(side.arc);
     if (other != kNothing) half.piece.beyond = views_.all()[other].id;
+    Source source;
     const std::uint32_t u = sourceOf(map_, side, facet, other);
     if (u != SideUse::kEnd) {
       const SideUse& use = map_.uses[u];
       const FacetView& owner = views_.all()[use.facet];
-      const EdgeUse edge = owner.uses[use.arc];
+      source = {use.facet, use.arc, isForward ? use.t0 : use.t1, isForward ? use.t1 : use.t0};
       half.piece.facet = owner.id;
-      half.piece.edge = edge.edge;
-      half.piece.from = edge.isReversed ? 1 - use.t0 : use.t0;
-      half.piece.to = edge.isReversed ? 1 - use.t1 : use.t1;
-      if (!isForward) std::swap(half.piece.from, half.piece.to);
+      half.piece.edge = owner.uses[use.arc].edge;
+      half.piece.from = owner.onEdge(use.arc, source.from);
+      half.piece.to = owner.onEdge(use.arc, source.to);
     }
     halves_.push_back(half);
+    sources_.push_back(source);
   }
 
   void countEnds() {
@@ -84,9 +92,12 @@ class Seams {
     }
   }
 
-  static bool continues(const BoundaryPiece& a, const BoundaryPiece& b) {
+  bool continues(std::uint32_t first, std::uint32_t second) const {
+    const BoundaryPiece& a = halves_[first].piece;
+    const BoundaryPiece& b = halves_[second].piece;
     if (a.facet != b.facet || a.edge != b.edge || a.beyond != b.beyond || !a.edge.isValid())
       return false;
+    if (a.arc.isCurved && sources_[first].arc != sources_[second].arc) return false;
     return a.to == b.from && (a.from < a.to) == (b.from < b.to);
   }
 
@@ -99,9 +110,8 @@ class Seams {
     const HalfSeam& otherOfH = halves_[h ^ 1U];
     const HalfSeam& otherOfN = halves_[n ^ 1U];
     if (halves_[h].facet != halves_[n].facet || otherOfH.facet != otherOfN.facet) return kNoHalf;
-    if (halves_[h].facet != kNoFacet && !continues(halves_[h].piece, halves_[n].piece))
-      return kNoHalf;
-    if (otherOfH.facet != kNoFacet && !continues(otherOfN.piece, otherOfH.piece)) return kNoHalf;
+    if (halves_[h].facet != kNoFacet && !continues(h, n)) return kNoHalf;
+    if (otherOfH.facet != kNoFacet && !continues(n ^ 1U, h ^ 1U)) return kNoHalf;
     return n;
   }
 
@@ -138,26 +148,23 @@ class Seams {
     }
     whole.to = halves_[last].to;
     whole.piece.to = halves_[last].piece.to;
-    const Arc straight = Arc::line(map_.vertices[whole.from], map_.vertices[whole.to]);
-    whole.piece.arc = whole.piece.arc.isCurved ? curveOf(whole.piece, straight) : straight;
+    whole.piece.arc = Arc::line(map_.vertices[whole.from], map_.vertices[whole.to]);
+    if (halves_[first].piece.arc.isCurved) {
+      const Source& source = sources_[first];
+      const Arc& all = views_.all()[source.facet].arcs[source.arc];
+      const double to = sources_[last].to;
+      const Arc curve =
+          source.from < to ? part(all, source.from, to) : reversed(part(all, to, source.from));
+      whole.piece.arc =
+          Arc::cubic(whole.piece.arc.start, curve.control1, curve.control2, whole.piece.arc.end);
+    }
     return whole;
   }
 
-  /// The part of a curved edge that a piece names, in the view, between the ends of `chord`.
-  Arc curveOf(const BoundaryPiece& piece, const Arc& chord) const {
-    const Arc edge = arcOf(state_.pattern, piece.edge);
-    const Arc onPaper = piece.from < piece.to ? part(edge, piece.from, piece.to)
-                                              : reversed(part(edge, piece.to, piece.from));
-    const Rigid& pose = state_.poseOf(piece.facet);
-    return Arc::cubic(chord.start, view_.project(pose.apply(onPaper.control1)),
-                      view_.project(pose.apply(onPaper.control2)), chord.end);
-  }
-
-  const FoldedState& state_;
-  const ViewFrame& view_;
   const FacetViews& views_;
   const Arrangement& map_;
   std::vector<HalfSeam> halves_;
+  std::vector<Source> sources_;        ///< for each half
   std::vector<std::uint32_t> degree_;  ///< for each vertex: the seams that end there
   std::vector<std::uint32_t>
       leaving_;  ///< for each vertex: sum of the halves that leave it; of two, gives the other
@@ -165,10 +172,9 @@ class Seams {
 
 }  // namespace
 
-std::vector<HalfSeam> seamsOf(const FoldedState& state, const ViewFrame& view,
-                              const FacetViews& views, const Arrangement& map,
+std::vector<HalfSeam> seamsOf(const FacetViews& views, const Arrangement& map,
                               const std::vector<SeenBeside>& seen) {
-  return Seams(state, view, views, map).run(seen);
+  return Seams(views, map).run(seen);
 }
 
 }  // namespace kiri

@@ -24,8 +24,7 @@ struct HalfSeam {
 
 /// Seams in pairs: halves 2k and 2k + 1 are the two views of one. Sides of the map that continue
 /// each other along one edge are one seam.
-std::vector<HalfSeam> seamsOf(const FoldedState& state, const ViewFrame& view,
-                              const FacetViews& views, const Arrangement& map,
+std::vector<HalfSeam> seamsOf(const FacetViews& views, const Arrangement& map,
                               const std::vector<SeenBeside>& seen);
 
 }  // namespace kiri

@@ -110,7 +110,7 @@ VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view) {
   const std::vector<std::uint32_t> inSight = facetsInSight(views);
   const Arrangement map = arrange(views, inSight);
   const std::vector<SeenBeside> seen = seenBesideSides(views, inSight, map);
-  return tracedRegions(views, seamsOf(state, view, views, map, seen));
+  return tracedRegions(views, seamsOf(views, map, seen));
 }
 
 double areaOf(const VisibleFacet& facet) {

@@ -14,7 +14,8 @@ namespace kiri {
 
 /// A piece of the boundary of a visible part, with the visible part on its left.
 struct BoundaryPiece {
-  Arc arc;  ///< view coordinates, mm; a part of a curved edge is an exact cubic
+  Arc arc;  ///< view coordinates, mm; a part of a curved edge is an exact cubic (in perspective: of
+            ///< several, see appendSeen)
   FacetId
       facet;  ///< whose edge this is: the facet itself, or one that lies over it (or ends below it)
   EdgeId edge;  ///< the edge; none where two facets pass through each other
@@ -43,8 +44,9 @@ struct VisibleRegions {
 
 /// What is seen of `state` from the direction of `view`. Within one plane the layer order decides,
 /// between planes the depth at each place. Facets seen edge-on (within 1/10000 rad) have no visible
-/// part. Places nearer than tolerance.match() are one. Cost: near-linear in the number of facets
-/// and of visible pieces for stacks; only facets that can be seen take part in the exact step.
+/// part. In perspective the eye must lie outside of the model. Places nearer than tolerance.match()
+/// are one. Cost: near-linear in the number of facets and of visible pieces for stacks; only facets
+/// that can be seen take part in the exact step.
 VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view);
 
 /// Area of a visible part, mm^2 in the view.

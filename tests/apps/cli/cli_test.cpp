@@ -145,6 +145,9 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"render", file, "-o", out, "--view", "30,x"}, "--view 30,x is not known"},
       {{"render", file, "-o", out, "--view", "30,91"},
        "the elevation of a view must lie between -90 and 90"},
+      {{"render", file, "-o", out, "--perspective", "170"},
+       "the field of view must lie between 0 and 120 degrees"},
+      {{"sheet", file, "-o", out, "--perspective", "30"}, "there is no option --perspective"},
       {{"sheet", file, "-o", out, "--columns", "-1"}, "--columns must lie between"},
       {{"sheet", file, "-o", out, "--width", "1"}, "--width must lie between"},
       {{"sheet", file, "-o", out, "--panel", "0"}, "--panel must be above 0"},
@@ -269,7 +272,9 @@ TEST_F(Cli, WritesEveryPicture) {
   const std::string file = put("m.kiri", model(kHalf));
   EXPECT_EQ(kiri({"render", file, "-o", path("a.SVG")}).code, kDone);
   EXPECT_EQ(kiri({"render", file, "--view", "back", "-o", path("b.pdf")}).code, kDone);
-  EXPECT_EQ(kiri({"render", file, "--view", "-30,40", "-o", path("d.png")}).code, kDone);
+  EXPECT_EQ(
+      kiri({"render", file, "--view", "-30,40", "--perspective", "40", "-o", path("d.png")}).code,
+      kDone);
   EXPECT_EQ(kiri({"sheet", file, "--view", "-30,40", "-o", path("e.png")}).code, kDone);
   EXPECT_EQ(kiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
             kDone);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <string>
 
 #include "render/scene/model_scene.h"
 #include "tests/support/model_text.h"
@@ -52,16 +54,78 @@ TEST(ViewSpec, PictureLiesInTheBoxOfItsSphereFromEverySide) {
   const Sphere sphere = sphereOf(state);
   for (double azimuth = 0; azimuth < 360; azimuth += 45) {
     for (double elevation = -90; elevation <= 90; elevation += 30) {
-      const ViewSpec spec{azimuth, elevation};
-      const Box all = boxOf(*frameOf(spec, sphere), sphere);
-      const Box box = *pictureBox(state, spec);
-      EXPECT_LE(all.low.x, box.low.x + 1e-9);
-      EXPECT_LE(all.low.y, box.low.y + 1e-9);
-      EXPECT_GE(all.high.x, box.high.x - 1e-9);
-      EXPECT_GE(all.high.y, box.high.y - 1e-9);
-      EXPECT_NEAR(all.high.x - all.low.x, 2 * sphere.radius, 1e-9);
+      for (const double fieldOfView : {0.0, 25.0, 100.0}) {
+        const ViewSpec spec{azimuth, elevation, fieldOfView};
+        const Box all = boxOf(*frameOf(spec, sphere), sphere);
+        const Box box = *pictureBox(state, spec);
+        EXPECT_LE(all.low.x, box.low.x + 1e-9);
+        EXPECT_LE(all.low.y, box.low.y + 1e-9);
+        EXPECT_GE(all.high.x, box.high.x - 1e-9);
+        EXPECT_GE(all.high.y, box.high.y - 1e-9);
+        if (fieldOfView == 0) {
+          EXPECT_NEAR(all.high.x - all.low.x, 2 * sphere.radius, 1e-9);
+        }
+      }
     }
   }
+}
+
+TEST(ViewSpec, EyeInsideTheModelIsRefusedWithTheLeastDistance) {
+  const Sphere sphere = sphereOf(tent());
+  EXPECT_TRUE(withEye(frontView(), sphere, 2 * sphere.radius).isOk());
+  const Result<ViewFrame> inside = withEye(frontView(), sphere, 0.9 * sphere.radius);
+  ASSERT_FALSE(inside.isOk());
+  EXPECT_NE(inside.error().message.find("choose at least"), std::string::npos);
+  ModelSceneOptions options;
+  options.sphere = Sphere{sphere.centre, sphere.radius / 3};  // of some smaller state
+  EXPECT_FALSE(modelScene(tent(), {}, ViewSpec{30, 40, 100}, options).isOk());
+  options.sphere = Sphere{sphere.centre, sphere.radius * 2};
+  EXPECT_TRUE(modelScene(tent(), {}, ViewSpec{30, 40, 100}, options).isOk());
+}
+
+TEST(ViewSpec, TextureInPerspectiveLiesOnThePaper) {
+  // Red grows with x on the paper, green with y.
+  auto image = std::make_shared<Image>(Image{128, 128, {}});
+  for (int row = 0; row < 128; ++row) {
+    for (int column = 0; column < 128; ++column) {
+      const auto y = static_cast<std::uint8_t>(2 * (127 - row));
+      image->rgba.insert(image->rgba.end(), {static_cast<std::uint8_t>(2 * column), y, 0, 255});
+    }
+  }
+  Appearance looks;
+  looks.textureBox = {{0, 0}, {100, 100}};
+  looks.front.texture = looks.back.texture = image;
+  const FoldedState state = tent();
+  ModelSceneOptions options;
+  options.margin = 0;
+  options.box = Box{{-300, -300}, {300, 300}};
+  const ViewSpec spec{20, 50, 90};
+  const ViewFrame view = *frameOf(spec, sphereOf(state));
+  const Result<Scene> scene = modelScene(state, looks, spec, options);
+  ASSERT_TRUE(scene.isOk());
+  int asked = 0;
+  for (const Group& group : scene->groups) {
+    if (group.id != "paper") continue;
+    for (const Item& item : group.items) {
+      const Fill& fill = std::get<FillItem>(item.shape).fill;
+      const auto facet = static_cast<std::size_t>(item.id.back() - '0');
+      for (const Vec2 onPaper : {Vec2{10, 20}, Vec2{40, 85}, Vec2{60, 20}, Vec2{90, 85}}) {
+        if (facetAt(state.pattern, onPaper)->index != facet) continue;
+        const Vec2 at = view.project(state.poses[facet].apply(onPaper)) + Vec2{300, 300};
+        const Affine& map = fill.imageToScene;
+        const Vec2 unit{(at.x - map.e) / map.a, (at.y - map.f) / map.d};
+        const auto column = static_cast<std::size_t>(unit.x * fill.image->width);
+        const auto row = static_cast<std::size_t>((1 - unit.y) * fill.image->height);
+        const std::uint8_t* pixel =
+            &fill.image->rgba[(row * static_cast<std::size_t>(fill.image->width) + column) * 4];
+        const double x = item.kind == "front" ? onPaper.x : 100 - onPaper.x;
+        EXPECT_NEAR(pixel[0], 2.56 * x, 3);
+        EXPECT_NEAR(pixel[1], 2.56 * onPaper.y, 3);
+        ++asked;
+      }
+    }
+  }
+  EXPECT_EQ(asked, 4);
 }
 
 TEST(ViewSpec, PagesWithOneBoxHaveOneSizeAndThePaperAtItsPlace) {

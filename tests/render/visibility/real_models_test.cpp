@@ -76,6 +76,39 @@ TEST(VisibleRegionsOfModels, NeedleThinnerThanTheToleranceHasNoInside) {
       30);
 }
 
+/// In perspective, the middle of the model's facets in the middle, the eye `times` as far away as
+/// the paper is large.
+ViewFrame fromEye(const FoldedState& state, double azimuth, double elevation, double times) {
+  ViewFrame view = viewFrom(azimuth, elevation);
+  view.centre = state.poses.front().apply(interiorPointOf(state.pattern, FacetId(0)));
+  view.eyeDistance = times * state.tolerance().sheetSize();
+  return view;
+}
+
+TEST(VisibleRegionsOfModels, PerspectiveKeepsLinesStraightAndCurvesSmooth) {
+  const FoldedState state = test::run(
+      "disc 100; curve 50,20 80,20 80,80 50,80 free; fold valley 60 30,0 30,100 left; fold "
+      "mountain 100 80,0 60,100 right");
+  for (const double times : {1.2, 2.0, 10.0}) {
+    const ViewFrame view = fromEye(state, 30, 50, times);
+    const VisibleRegions regions = visibleRegions(state, view);
+    expectSound(state, view, regions);
+    expectEqualsPixels(state, view, regions, 60);
+  }
+}
+
+TEST(VisibleRegionsOfModels, FarEyeSeesWhatAnOrthographicViewShows) {
+  const FoldedState state = test::run("square 100; fold valley 60 30,0 40,100 left");
+  const ViewFrame far = fromEye(state, 30, 50, 1e6);
+  const VisibleRegions a = visibleRegions(state, far);
+  const VisibleRegions b = visibleRegions(state, viewFrom(30, 50));
+  ASSERT_EQ(a.facets.size(), b.facets.size());
+  for (std::size_t i = 0; i < a.facets.size(); ++i) {
+    EXPECT_EQ(a.facets[i].facet, b.facets[i].facet);
+    EXPECT_NEAR(areaOf(a.facets[i]), areaOf(b.facets[i]), 0.05);
+  }
+}
+
 TEST(VisibleRegionsOfModels, RandomModelsEqualThePixelOracle) {
   int checked = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
