@@ -11,6 +11,8 @@
 namespace kiri::test {
 namespace {
 
+constexpr double kSeam = 1e-9;  // mm: shorter spans are rounding where two meet end to end
+
 using Spans = std::vector<std::pair<double, double>>;
 
 Vec3 middleOf(const std::vector<Vec3>& points) {
@@ -151,7 +153,7 @@ double MotionCheck::depthOf(const Piece& a, const Piece& b) {
     for (const auto& [from, to] : other) {
       const double start = std::max(low, from);
       const double end = std::min(high, to);
-      for (int k = 1; k < 8 && start < end; ++k) {
+      for (int k = 1; k < 8 && end - start > kSeam; ++k) {
         const Vec3 p = point + along * (start + (end - start) * k / 8.0);
         const double here = std::min(borderDistance(a, p), borderDistance(b, p));
         // Where corners lie on the cut, rounding may take outside for inside.
