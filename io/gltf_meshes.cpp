@@ -57,6 +57,9 @@ JsonValue gltfRoot(const std::string& title, const std::vector<int>& children) {
   constexpr double kMetres = 0.001;
   JsonValue root = JsonValue::object();
   root.add("name", JsonValue::ofText(title.empty() ? "model" : title));
+  // The table that the model lies on is glTF's ground: x stays, z becomes y.
+  const double half = std::sqrt(0.5);
+  root.add("rotation", jsonNumbers({-half, 0, 0, half}));
   root.add("scale", jsonNumbers({kMetres, kMetres, kMetres}));
   JsonValue& list = root.add("children", JsonValue::array());
   for (const int child : children) list.items.push_back(jsonNumber(child));

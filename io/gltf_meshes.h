@@ -45,7 +45,7 @@ class GltfMeshes {
   int sharedPositions_ = -1;  ///< of the facet under way, when both sides lie in one plane
 };
 
-/// The node above all facets: it makes metres of mm.
+/// The node above all facets: it makes metres of mm and lays the model on glTF's ground.
 JsonValue gltfRoot(const std::string& title, const std::vector<int>& children);
 
 /// What glTF could not hold, in sentences.

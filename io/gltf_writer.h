@@ -31,10 +31,10 @@ struct GltfOptions {
   static constexpr double kLayerGap = 0.05;
 };
 
-/// The model as it lies: a node for each facet, carrying its place, below one node that makes
-/// metres of mm. The axes are those of the model frame, which are glTF's: y up, the front of the
-/// paper towards +z, where viewers start. Front and back are primitives of their own with one-sided
-/// materials, so that each side shows its colour everywhere. Curves become polylines.
+/// The model as it lies: a node for each facet, carrying its place in the model frame, below one
+/// node that makes metres of mm and turns z up to y up: the model lies on the ground, the far edge
+/// of the sheet towards -z. Front and back are primitives of their own with one-sided materials, so
+/// that each side shows its colour everywhere. Curves become polylines.
 Exported writeGlb(const FoldedState& state, const GltfOptions& options);
 
 }  // namespace kiri

@@ -20,18 +20,18 @@ int run(Console& console, const ExportOptions& options) {
   if (!usage.isOk()) return fail(console, usage.error(), kBadUsage);
   const Result<ModelInput> input = loadModel(console, options.model);
   if (!input.isOk()) return fail(console, input.error());
-  const Result<std::size_t> count = chooseStep(*input, options.step);
-  if (!count.isOk()) return fail(console, count.error(), kBadUsage);
-  const Result<Replay> replay = replayFirst(console, *input, *count);
+  const Result<StepChoice> moment = chooseStep(*input, options.step);
+  if (!moment.isOk()) return fail(console, moment.error(), kBadUsage);
+  const Result<Replay> replay = replayFirst(console, *input, moment->done);
   if (!replay.isOk()) return fail(console, replay.error());
-  const auto state = stateAfter(console, *input, *replay, *count);
+  const auto state = stateAt(console, *input, *replay, *moment);
   if (!state.isOk()) return fail(console, state.error());
   if (isCancelled(console)) return fail(console, Error{ErrorCode::Cancelled, "", {}});
   Exported exported;
   {
     ProgressLine line(console, "writing");
     line.update(0);
-    exported = exportedAs(console, *format, {*input, *replay, *count, **state}, options);
+    exported = exportedAs(console, *format, {*input, *replay, *moment, **state}, options);
   }
   const int written = writeResult(console, options.out, exported.text);
   for (const std::string& loss : exported.losses) console.err << "note: " << loss << '\n';
@@ -52,7 +52,10 @@ void addExportCommand(CLI::App& app, Console& console, int& code) {
       ->add_option("--format", options->format,
                    "fold, svg, obj, stl or glb (default: by the ending of OUT)")
       ->type_name("FORMAT");
-  command->add_option("--step", options->step, "after this many steps; 0: the sheet (default: all)")
+  command
+      ->add_option(
+          "--step", options->step,
+          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
       ->type_name("N");
   command
       ->add_option(

@@ -46,10 +46,15 @@ Status checkSolid(const ExportOptions& options, const std::string& format) {
 
 std::vector<FoldFrame> historyOf(const ExportSource& source) {
   std::vector<FoldFrame> out;
-  for (std::size_t i = 0; i < source.steps; ++i) {
+  for (std::size_t i = 0; i < source.moment.done; ++i) {
     const Step& step = source.input.model.steps[i];
     out.push_back({source.replay.outcomes[i].state,
                    step.title.empty() ? describeStep(step, i + 1) : step.title, step.notes});
+  }
+  if (source.moment.part > 0) {
+    const std::size_t under = source.moment.done;
+    out.push_back({std::make_shared<const FoldedState>(source.state),
+                   "in " + describeStep(source.input.model.steps[under], under + 1), ""});
   }
   return out;
 }

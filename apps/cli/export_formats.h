@@ -16,7 +16,7 @@ struct ExportOptions {
   std::string out;
   std::string format;
   std::string view;
-  std::optional<int> step;
+  std::optional<double> step;
   bool isAsFolded = false;
   bool isTwoSided = false;
   std::optional<double> layerGap;
@@ -30,7 +30,7 @@ Status checkExport(const ExportOptions& options, const std::string& format);
 struct ExportSource {
   const ModelInput& input;
   const Replay& replay;
-  std::size_t steps;  ///< whole steps that are done
+  const StepChoice& moment;
   const FoldedState& state;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 struct InfoOptions {
   std::string model;
-  std::optional<int> step;
+  std::optional<double> step;
   bool isJson = false;
 };
 
@@ -82,13 +82,13 @@ JsonValue boxOf(Point low, Point high) {
   return out;
 }
 
-std::string jsonOf(const ModelInput& input, std::size_t step, const FoldedState& state,
+std::string jsonOf(const ModelInput& input, const StepChoice& step, const FoldedState& state,
                    const StateFacts& facts) {
   JsonValue out = JsonValue::object();
   out.add("file", JsonValue::ofText(input.name));
   out.add("title", JsonValue::ofText(titleOf(input)));
   out.add("steps", count(input.model.steps.size()));
-  out.add("step", count(step));
+  out.add("step", number(step.number()));
   out.add("facets", count(facts.facets));
   out.add("hinges", count(facts.hinges));
   out.add("fold_lines", count(facts.lines.size()));
@@ -112,7 +112,7 @@ std::string shown(double value) {
   return out.str();
 }
 
-std::string tableOf(const ModelInput& input, std::size_t step, const FoldedState& state,
+std::string tableOf(const ModelInput& input, const StepChoice& step, const FoldedState& state,
                     const StateFacts& facts) {
   std::ostringstream out;
   const auto row = [&](const char* name, const std::string& value) {
@@ -122,7 +122,7 @@ std::string tableOf(const ModelInput& input, std::size_t step, const FoldedState
   const Vec2 paper = facts.paper.high - facts.paper.low;
   const Vec3 model = facts.boxHigh - facts.boxLow;
   row("title", titleOf(input));
-  row("step", std::to_string(step) + " of " + std::to_string(input.model.steps.size()));
+  row("step", shown(step.number()) + " of " + std::to_string(input.model.steps.size()));
   row("facets", std::to_string(facts.facets));
   row("hinges",
       std::to_string(facts.hinges) +
@@ -147,9 +147,9 @@ std::string tableOf(const ModelInput& input, std::size_t step, const FoldedState
 int run(Console& console, const InfoOptions& options) {
   const Result<ModelInput> input = loadModel(console, options.model);
   if (!input.isOk()) return fail(console, input.error());
-  const Result<std::size_t> step = chooseStep(*input, options.step);
+  const Result<StepChoice> step = chooseStep(*input, options.step);
   if (!step.isOk()) return fail(console, step.error(), kBadUsage);
-  const auto state = loadState(console, *input, options.step);
+  const auto state = loadState(console, *input, *step);
   if (!state.isOk()) return fail(console, state.error());
   const StateFacts facts = factsOf(**state);
   return writeResult(console, "-",
@@ -163,7 +163,10 @@ void addInfoCommand(CLI::App& app, Console& console, int& code) {
   CLI::App* command = app.add_subcommand("info", "Print the figures of the model after a step");
   const auto options = std::make_shared<InfoOptions>();
   command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
-  command->add_option("--step", options->step, "after this many steps; 0: the sheet (default: all)")
+  command
+      ->add_option(
+          "--step", options->step,
+          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
       ->type_name("N");
   command->add_flag("--json", options->isJson, "one JSON object, for programs");
   command->footer(

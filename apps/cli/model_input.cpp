@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/model_input.h"
 
+#include <cmath>
 #include <utility>
 
+#include "core/base/text.h"
+#include "core/model/timeline.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
 #include "io/steps_json.h"
@@ -25,16 +28,30 @@ Result<ModelInput> loadModel(Console& console, const std::string& path) {
   return input;
 }
 
-Result<std::size_t> chooseStep(const ModelInput& input, const std::optional<int>& step) {
+namespace {
+
+/// Without the "step 3: " that the time line puts before what is wrong with a step.
+Error withoutStep(Error error) {
+  const std::size_t colon = error.message.find(": ");
+  if (error.message.rfind("step ", 0) == 0 && colon != std::string::npos) {
+    error.message.erase(0, colon + 2);
+  }
+  return error;
+}
+
+}  // namespace
+
+Result<StepChoice> chooseStep(const ModelInput& input, const std::optional<double>& step) {
   const std::size_t count = input.model.steps.size();
-  if (!step) return count;
-  if (*step < 0 || static_cast<std::size_t>(*step) > count) {
+  if (!step) return StepChoice{count};
+  if (!(*step >= 0 && *step <= static_cast<double>(count))) {
     return Error{ErrorCode::BadValue,
-                 "there is no step " + std::to_string(*step) + ": " + input.name + " has " +
+                 "there is no step " + text(*step) + ": " + input.name + " has " +
                      std::to_string(count) + (count == 1 ? " step" : " steps") +
                      ", so --step takes 0 (the sheet) to " + std::to_string(count)};
   }
-  return static_cast<std::size_t>(*step);
+  const double done = std::floor(*step);
+  return StepChoice{static_cast<std::size_t>(done), *step - done};
 }
 
 Result<Replay> replayFirst(Console& console, const ModelInput& input, std::size_t count) {
@@ -74,13 +91,24 @@ Result<std::shared_ptr<const FoldedState>> stateAfter(Console& console, const Mo
   return state;
 }
 
+Result<std::shared_ptr<const FoldedState>> stateAt(Console& console, const ModelInput& input,
+                                                   const Replay& replay, const StepChoice& moment) {
+  auto state = stateAfter(console, input, replay, moment.done);
+  if (!state.isOk() || moment.part == 0) return state;
+  Model under = input.model;
+  under.steps.resize(moment.done + 1);
+  ProgressLine line(console, "folding");
+  Result<FoldedState> between = stateBetween(under, moment.number(), line.progress());
+  if (!between.isOk() && between.error().code == ErrorCode::Cancelled) return between.error();
+  if (!between.isOk()) return errorOfStep(input, moment.done, withoutStep(between.error()));
+  return std::make_shared<const FoldedState>(std::move(*between));
+}
+
 Result<std::shared_ptr<const FoldedState>> loadState(Console& console, const ModelInput& input,
-                                                     const std::optional<int>& step) {
-  const Result<std::size_t> count = chooseStep(input, step);
-  if (!count.isOk()) return count.error();
-  const Result<Replay> replay = replayFirst(console, input, *count);
+                                                     const StepChoice& moment) {
+  const Result<Replay> replay = replayFirst(console, input, moment.done);
   if (!replay.isOk()) return replay.error();
-  return stateAfter(console, input, *replay, *count);
+  return stateAt(console, input, *replay, moment);
 }
 
 std::string titleOf(const ModelInput& input) {

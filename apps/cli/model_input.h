@@ -22,9 +22,17 @@ struct ModelInput {
 /// Reads MODEL ("-": standard input) and prints what looks odd in it.
 Result<ModelInput> loadModel(Console& console, const std::string& path);
 
-/// The number of steps that --step means; the last one by default. Errors: BadValue - there are not
-/// that many.
-Result<std::size_t> chooseStep(const ModelInput& input, const std::optional<int>& step);
+/// A moment of the model's life: so many steps are done, and a part of the next.
+struct StepChoice {
+  std::size_t done = 0;
+  double part = 0;  ///< 0 to below 1
+
+  double number() const { return static_cast<double>(done) + part; }
+};
+
+/// The moment that --step means: 2.5 is half way through the third step. The end by default.
+/// Errors: BadValue - there are not that many steps.
+Result<StepChoice> chooseStep(const ModelInput& input, const std::optional<double>& step);
 
 /// Replays the first `count` steps, with progress. Steps that fail are marked in the result.
 Result<Replay> replayFirst(Console& console, const ModelInput& input, std::size_t count);
@@ -37,9 +45,13 @@ Error errorOfStep(const ModelInput& input, std::size_t index, const Error& error
 Result<std::shared_ptr<const FoldedState>> stateAfter(Console& console, const ModelInput& input,
                                                       const Replay& replay, std::size_t count);
 
-/// The three together.
+/// The same for any moment; `replay` holds the steps that are done by then.
+Result<std::shared_ptr<const FoldedState>> stateAt(Console& console, const ModelInput& input,
+                                                   const Replay& replay, const StepChoice& moment);
+
+/// The state at a moment, replayed with progress.
 Result<std::shared_ptr<const FoldedState>> loadState(Console& console, const ModelInput& input,
-                                                     const std::optional<int>& step);
+                                                     const StepChoice& moment);
 
 /// Title of the model, or the name of its file without folder and ending.
 std::string titleOf(const ModelInput& input);

@@ -19,7 +19,7 @@ constexpr const char* kPattern = "pattern";
 
 struct RenderOptions {
   std::string model;
-  std::optional<int> step;
+  std::optional<double> step;
   ViewOptions view;
   double margin = 5;
   double scale = 1;
@@ -70,9 +70,9 @@ int run(Console& console, const RenderOptions& options) {
   if (!format.isOk()) return fail(console, format.error(), kBadUsage);
   const Result<ModelInput> input = loadModel(console, options.model);
   if (!input.isOk()) return fail(console, input.error());
-  const Result<std::size_t> count = chooseStep(*input, options.step);
-  if (!count.isOk()) return fail(console, count.error(), kBadUsage);
-  const auto state = loadState(console, *input, options.step);
+  const Result<StepChoice> moment = chooseStep(*input, options.step);
+  if (!moment.isOk()) return fail(console, moment.error(), kBadUsage);
+  const auto state = loadState(console, *input, *moment);
   if (!state.isOk()) return fail(console, state.error());
   Result<Appearance> appearance = appearanceFor(console, *input, options.picture);
   if (!appearance.isOk()) return fail(console, appearance.error());
@@ -93,7 +93,10 @@ void addRenderCommand(CLI::App& app, Console& console, int& code) {
   CLI::App* command = app.add_subcommand("render", "Draw the model after a step, in true size");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
-  command->add_option("--step", options->step, "after this many steps; 0: the sheet (default: all)")
+  command
+      ->add_option(
+          "--step", options->step,
+          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
       ->type_name("N");
   addViewOptions(*command, options->view, kPattern);
   command->add_option("--margin", options->margin, "mm around the model (default 5)")

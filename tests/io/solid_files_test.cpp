@@ -169,14 +169,17 @@ TEST(Gltf, QuaternionsAreThePosesOfRandomModels) {
   }
 }
 
-/// Millimetres of a scene in metres.
+/// The model frame, mm, of glTF's axes and metres.
+Vec3 turnedBack(Vec3 scene) { return {scene.x, -scene.z, scene.y}; }
+Vec3 inModel(Vec3 scene) { return turnedBack(scene) * 1000; }
+
 std::vector<Triangle> trianglesOf(const std::vector<test::GlbPart>& parts,
                                   const std::string& material) {
   std::vector<Triangle> out;
   for (const test::GlbPart& part : parts) {
     for (const test::GlbTriangle& t : part.triangles) {
       if (t.material != material) continue;
-      out.push_back({t.corners[0] * 1000, t.corners[1] * 1000, t.corners[2] * 1000});
+      out.push_back({inModel(t.corners[0]), inModel(t.corners[1]), inModel(t.corners[2])});
     }
   }
   return out;
@@ -195,13 +198,13 @@ TEST(Gltf, ShowsEveryFacetWhereItLiesWithBothSidesOutward) {
       const Rigid& pose = state.poseOf(facet);
       for (const test::GlbTriangle& t : part.triangles) {
         const Vec3 across =
-            acrossOf({t.corners[0] * 1000, t.corners[1] * 1000, t.corners[2] * 1000});
+            acrossOf({inModel(t.corners[0]), inModel(t.corners[1]), inModel(t.corners[2])});
         const double side = t.material == "front" ? 1 : -1;
         EXPECT_GE(dot(across, pose.normal()) * side, 0) << "seed " << seed;
         for (std::size_t k = 0; k < 3; ++k) {
-          EXPECT_LT(distance(t.normals[k], pose.normal() * side), 1e-6);
-          const Vec2 paper = pose.pullBack(t.corners[k] * 1000);
-          EXPECT_LT(distance(pose.apply(paper), t.corners[k] * 1000), 1e-3) << "seed " << seed;
+          EXPECT_LT(distance(turnedBack(t.normals[k]), pose.normal() * side), 1e-6);
+          const Vec2 paper = pose.pullBack(inModel(t.corners[k]));
+          EXPECT_LT(distance(pose.apply(paper), inModel(t.corners[k])), 1e-3) << "seed " << seed;
           EXPECT_NE(locate(regionOf(state.pattern, facet), paper, 0.01), Where::Outside);
         }
       }

@@ -254,6 +254,33 @@ TEST_F(Cli, PrintsTheFiguresOfAState) {
   EXPECT_TRUE(holds(kiri({"info", file}).out, "layers      2\n"));
 }
 
+TEST_F(Cli, ShowsAnyMomentBetweenTwoSteps) {
+  const std::string file = put("m.kiri", model(std::string(kHalf) + ", " + kMissing));
+  const auto figures = [&](const std::string& step) {
+    return json::parse(kiri({"info", file, "--step", step, "--json"}).out);
+  };
+  EXPECT_EQ(figures("0.5")["step"], 0.5);
+  EXPECT_EQ(figures("0.5")["fold_line_list"][0]["angle"], 90);
+  EXPECT_EQ(figures("0.25")["fold_line_list"][0]["angle"], 45);
+  EXPECT_EQ(figures("1")["fold_line_list"][0]["angle"], 180);
+  EXPECT_TRUE(holds(kiri({"info", file, "--step", "0.5"}).out, "0.5 of 2\n"));
+  for (const std::string ending : {"fold", "obj", "stl", "glb", "svg"}) {
+    const std::string out = path("half." + ending);
+    EXPECT_EQ(kiri({"export", file, "--step", "0.5", "-o", out}).code, kDone) << ending;
+    EXPECT_GT(get("half." + ending).size(), 100u) << ending;
+  }
+  const json frames = json::parse(get("half.fold"))["file_frames"];
+  EXPECT_EQ(frames.back()["frame_title"], "in step 1 (fold \"half\")");
+  EXPECT_TRUE(holds(get("half.obj"), " 50\n")) << "the moving half stands upright";
+  EXPECT_EQ(kiri({"render", file, "--step", "0.5", "-o", path("half.png")}).code, kDone);
+
+  const Answer answer = kiri({"info", file, "--step", "1.5"});
+  EXPECT_EQ(answer.code, kBadModel);
+  EXPECT_TRUE(holds(answer.err, file + ": step 2 (angle \"Open it\"): there is no fold"))
+      << answer.err;
+  EXPECT_TRUE(holds(kiri({"info", file, "--step", "nan"}).err, "there is no step nan"));
+}
+
 TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
   const std::string text = model(kHalf);
   const Answer svg = kiri({"render", "-", "--format", "svg", "-o", "-"}, {text});
