@@ -52,7 +52,8 @@ Status check(const RenderOptions& options) {
 }
 
 Result<Scene> sceneOf(const FoldedState& state, const Appearance& appearance,
-                      const ModelInput& input, const RenderOptions& options) {
+                      const ModelInput& input, const RenderOptions& options,
+                      const Progress& progress) {
   if (showsPattern(options)) {
     return patternScene(state, appearance,
                         {options.margin, options.scale, titleOf(input),
@@ -60,7 +61,8 @@ Result<Scene> sceneOf(const FoldedState& state, const Appearance& appearance,
   }
   const Result<ViewSpec> spec = viewSpecOf(options.view, kPattern);
   if (!spec.isOk()) return spec.error();
-  return modelScene(state, appearance, *spec, {options.margin, options.scale, titleOf(input)});
+  return modelScene(state, appearance, *spec,
+                    {options.margin, options.scale, titleOf(input), {}, {}, progress});
 }
 
 int run(Console& console, const RenderOptions& options) {
@@ -80,7 +82,7 @@ int run(Console& console, const RenderOptions& options) {
   const auto draw = [&] {
     ProgressLine line(console, "drawing");
     line.update(0);
-    return sceneOf(**state, *appearance, *input, options);
+    return sceneOf(**state, *appearance, *input, options, line.progress());
   };
   Result<Scene> scene = draw();
   if (!scene.isOk()) return fail(console, scene.error(), kBadUsage);

@@ -41,6 +41,14 @@ void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& 
       .add_option("--perspective", options.perspective,
                   "field of view in degrees, up to 120; 0: parallel lines stay parallel (default)")
       ->type_name("DEG");
+  command
+      .add_option("--explode", options.explode,
+                  "mm between the layers, lifted off each other to be read one by one")
+      ->type_name("MM");
+  command.add_option("--thickness", options.thickness, "mm that the paper seems to be thick")
+      ->type_name("MM");
+  command.add_flag("--shade", options.isShaded, "facets turned away look darker");
+  command.add_flag("--shadow", options.hasShadow, "a soft shadow on the table below the model");
 }
 
 Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& others) {
@@ -60,6 +68,10 @@ Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& other
     spec.elevation = *elevation;
   }
   spec.fieldOfView = options.perspective;
+  spec.explode = options.explode;
+  spec.thickness = options.thickness;
+  spec.isShaded = options.isShaded;
+  spec.hasShadow = options.hasShadow;
   const Status status = checkViewSpec(spec);
   if (!status) return status.error();
   return spec;

@@ -13,6 +13,10 @@ namespace kiri::cli {
 struct ViewOptions {
   std::string view = "front";
   double perspective = 0;
+  double explode = 0;
+  double thickness = 0;
+  bool isShaded = false;
+  bool hasShadow = false;
 };
 
 /// Declares --view alone. `others`: what else the command takes there, like "pattern"; may be

@@ -42,9 +42,9 @@ class CairoCanvas {
  private:
   double down(double y) const { return scene_.height - y; }
 
-  void setColor(Color color) {
+  void setColor(Color color, double opacity = 1) {
     constexpr double kFull = 255;
-    cairo_set_source_rgb(cr_, color.red / kFull, color.green / kFull, color.blue / kFull);
+    cairo_set_source_rgba(cr_, color.red / kFull, color.green / kFull, color.blue / kFull, opacity);
   }
 
   void addChain(const std::vector<Arc>& chain, bool isClosed) {
@@ -64,7 +64,7 @@ class CairoCanvas {
 
   void draw(const FillItem& item, const Item&) {
     for (const Loop& loop : item.loops) addChain(loop, true);
-    setColor(item.fill.color);
+    setColor(item.fill.color, item.fill.opacity);
     cairo_fill_preserve(cr_);
     if (item.fill.image) {
       setImage(*item.fill.image, item.fill.imageToScene);

@@ -131,7 +131,9 @@ class SvgWriter {
     std::string path;
     for (const Loop& loop : item.loops) path += chainText(loop, true);
     const auto element = [&](const std::string& fill, const std::string& attributes) {
-      return "<path" + attributes + " fill=\"" + fill + "\" d=\"" + path + "\"/>\n";
+      const std::string veil =
+          item.fill.opacity < 1 ? " fill-opacity=\"" + mm(item.fill.opacity) + "\"" : "";
+      return "<path" + attributes + " fill=\"" + fill + "\"" + veil + " d=\"" + path + "\"/>\n";
     };
     if (!item.fill.image) return element(hex(item.fill.color), names);
     std::string out;

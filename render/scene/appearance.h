@@ -40,6 +40,7 @@ struct Appearance {
   Color creaseColor{75, 85, 80};
   bool showEdges = true;
   bool showCreases = true;  ///< creases that lie flat again, and added edges
+  bool isShaded = false;    ///< facets are the darker the more they are turned away
   double gridSpacing = 0;   ///< mm between the lines of a grid behind the paper; 0: none
 };
 

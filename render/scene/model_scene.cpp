@@ -6,6 +6,7 @@
 
 #include "render/scene/page.h"
 #include "render/scene/paper_items.h"
+#include "render/scene/shadow.h"
 #include "render/visibility/grid.h"
 #include "render/visibility/visible_regions.h"
 
@@ -27,31 +28,17 @@ Box boxOfPicture(const FoldedState& state, const ViewFrame& view, const VisibleR
   return box;
 }
 
-}  // namespace
-
-Scene modelScene(const FoldedState& state, const Appearance& appearance, const ViewFrame& view,
-                 const ModelSceneOptions& options) {
-  const VisibleRegions regions = visibleRegions(state, view);
-  const Box box = options.box.value_or(boxOfPicture(state, view, regions));
-  const Vec2 size = (box.high - box.low) * options.scale;
-  const Vec2 margin{options.margin, options.margin};
-  const Affine viewToScene = placed(box, options.scale, margin);
-
-  Scene scene;
-  scene.width = size.x + 2 * options.margin;
-  scene.height = size.y + 2 * options.margin;
-  scene.title = options.title;
-  const Vec2 around = margin / options.scale;
-  Group grid =
-      gridGroup({box.low - around, box.high + around}, appearance.gridSpacing, viewToScene);
-  if (!grid.items.empty()) scene.groups.push_back(std::move(grid));
-  for (Group& group : paperGroups(state, regions, view, viewToScene, appearance, "")) {
-    scene.groups.push_back(std::move(group));
+/// With the shadow, when there is one.
+Box boxWithShadow(const FoldedState& state, const ViewFrame& view, const VisibleRegions& regions,
+                  bool hasShadow) {
+  Box box = boxOfPicture(state, view, regions);
+  if (!hasShadow || view.toEye.z <= 0) return box;
+  for (const Vec3 p : shadowPoints(state)) {
+    const Vec2 at = view.project(p);
+    box = joined(box, {at, at});
   }
-  return scene;
+  return box;
 }
-
-namespace {
 
 /// The frame for a picture of the state; `options.sphere` may be that of other states too.
 Result<ViewFrame> frameFor(const FoldedState& state, const ViewSpec& spec,
@@ -65,20 +52,75 @@ Result<ViewFrame> frameFor(const FoldedState& state, const ViewSpec& spec,
   return isOutside ? view : isOutside;
 }
 
+Result<Scene> drawn(const FoldedState& state, const Appearance& appearance, const ViewFrame& view,
+                    bool hasShadow, const ModelSceneOptions& options) {
+  const VisibleRegions regions = visibleRegions(state, view);
+  const Box box = options.box.value_or(boxWithShadow(state, view, regions, hasShadow));
+  const Vec2 size = (box.high - box.low) * options.scale;
+  const Vec2 margin{options.margin, options.margin};
+  const Affine viewToScene = placed(box, options.scale, margin);
+
+  Scene scene;
+  scene.width = size.x + 2 * options.margin;
+  scene.height = size.y + 2 * options.margin;
+  scene.title = options.title;
+  const Vec2 around = margin / options.scale;
+  Group grid =
+      gridGroup({box.low - around, box.high + around}, appearance.gridSpacing, viewToScene);
+  if (!grid.items.empty()) scene.groups.push_back(std::move(grid));
+  if (hasShadow) {
+    Result<Group> shadow = shadowGroup(state, view, viewToScene, options.progress);
+    if (!shadow) return shadow.error();
+    if (!shadow->items.empty()) scene.groups.push_back(std::move(*shadow));
+  }
+  for (Group& group : paperGroups(state, regions, view, viewToScene, appearance, "")) {
+    scene.groups.push_back(std::move(group));
+  }
+  return scene;
+}
+
+/// The state as the spec shows it, and what is left to do then.
+struct Shown {
+  Shown(const FoldedState& paper, const ViewSpec& wanted)
+      : copy(spreadFor(paper, wanted)), state(copy ? *copy : paper), spec(wanted) {
+    spec.explode = spec.thickness = 0;
+  }
+  Shown(const Shown&) = delete;
+  Shown& operator=(const Shown&) = delete;
+
+  std::optional<FoldedState> copy;
+  const FoldedState& state;
+  ViewSpec spec;
+};
+
 }  // namespace
+
+Scene modelScene(const FoldedState& state, const Appearance& appearance, const ViewFrame& view,
+                 const ModelSceneOptions& options) {
+  return drawn(state, appearance, view, false, options).value();
+}
 
 Result<Scene> modelScene(const FoldedState& state, const Appearance& appearance,
                          const ViewSpec& spec, const ModelSceneOptions& options) {
-  const Result<ViewFrame> view = frameFor(state, spec, options);
+  const Status status = checkViewSpec(spec);
+  if (!status) return status.error();
+  if (!goesOn(options.progress, 0)) return Error{ErrorCode::Cancelled, "", {}};
+  const Shown shown(state, spec);
+  const Result<ViewFrame> view = frameFor(shown.state, shown.spec, options);
   if (!view) return view.error();
-  return modelScene(state, appearance, *view, options);
+  Appearance looks = appearance;
+  looks.isShaded = looks.isShaded || spec.isShaded;
+  return drawn(shown.state, looks, *view, spec.hasShadow, options);
 }
 
 Result<Box> pictureBox(const FoldedState& state, const ViewSpec& spec,
                        const ModelSceneOptions& options) {
-  const Result<ViewFrame> view = frameFor(state, spec, options);
+  const Status status = checkViewSpec(spec);
+  if (!status) return status.error();
+  const Shown shown(state, spec);
+  const Result<ViewFrame> view = frameFor(shown.state, shown.spec, options);
   if (!view) return view.error();
-  return boxOfPicture(state, *view, visibleRegions(state, *view));
+  return boxWithShadow(shown.state, *view, visibleRegions(shown.state, *view), spec.hasShadow);
 }
 
 }  // namespace kiri

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/paper/folded_state.h"
 #include "render/scene/appearance.h"
@@ -24,6 +25,7 @@ struct ModelSceneOptions {
   /// What a view in perspective looks at, for views by ViewSpec. None: the model itself; pictures
   /// that shall share an eye (a film) share a ball.
   std::optional<Sphere> sphere = {};
+  Progress progress = {};  ///< for views by ViewSpec: asked now and then whether to go on
 };
 
 /// The model as it is seen from the direction of `view`: visible parts in the colours of their
@@ -31,7 +33,8 @@ struct ModelSceneOptions {
 Scene modelScene(const FoldedState& state, const Appearance& appearance, const ViewFrame& view,
                  const ModelSceneOptions& options = {});
 
-/// The same with all that a ViewSpec can ask for. Errors: those of checkViewSpec.
+/// The same with all that a ViewSpec can ask for. Errors: those of checkViewSpec; BadValue - an eye
+/// inside the model, for `options.sphere` does not hold it; Cancelled.
 Result<Scene> modelScene(const FoldedState& state, const Appearance& appearance,
                          const ViewSpec& spec, const ModelSceneOptions& options = {});
 

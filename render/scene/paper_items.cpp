@@ -9,6 +9,7 @@
 
 #include "render/scene/line_looks.h"
 #include "render/scene/seen_texture.h"
+#include "render/scene/silhouette.h"
 #include "render/visibility/grid.h"
 #include "render/visibility/projection.h"
 
@@ -26,6 +27,15 @@ SeamKind kindOf(const FoldedState& state, FacetId facet, const BoundaryPiece& pi
                      (edge.right == facet && edge.left == piece.beyond);
   const bool isFlat = edge.kind == EdgeKind::Hinge && std::abs(edge.angle) <= kSameAngle;
   return joins && isFlat ? SeamKind::Crease : SeamKind::Edge;
+}
+
+/// A colour mixed with black, or with white beyond 1.
+Color shaded(Color color, double brightness) {
+  const auto mixed = [&](std::uint8_t c) {
+    const double value = brightness <= 1 ? c * brightness : c + (255 - c) * (brightness - 1);
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  };
+  return {mixed(color.red), mixed(color.green), mixed(color.blue)};
 }
 
 class PaperItems {
@@ -56,23 +66,38 @@ class PaperItems {
       item.stroke = {fill.color, kSeamWidth, {}, LineCap::Round, fill.image, fill.imageToScene};
       group.items.push_back({std::move(item), "seam", "", {}});
     }
-    if (!group.items.empty()) group.clip = silhouetteLoops();
+    if (group.items.empty()) return group;
+    group.clip = silhouetteOf(regions_);
+    for (Loop& loop : group.clip) {
+      for (Arc& arc : loop) arc = inScene(arc);
+    }
     return group;
   }
 
   Group paper(const std::string& prefix) const {
     Group group;
     for (const VisibleFacet& facet : regions_.facets) {
-      FillItem item;
-      item.fill = fills_.at(facet.facet);
-      for (const auto& loop : facet.loops) {
-        Loop& arcs = item.loops.emplace_back();
-        for (const BoundaryPiece& piece : loop) arcs.push_back(inScene(piece.arc));
-      }
+      FillItem item{loopsOf(facet), fills_.at(facet.facet)};
       group.items.push_back({std::move(item),
                              facet.showsFront ? "front" : "back",
                              prefix + "facet-" + std::to_string(facet.facet.index),
                              {}});
+    }
+    return group;
+  }
+
+  /// Veils over textures, which cannot be shaded as colours can.
+  Group veils() const {
+    Group group;
+    for (const VisibleFacet& facet : regions_.facets) {
+      const double brightness = brightnessOf(facet);
+      constexpr double kUnseen = 1.0 / 512;
+      if (std::abs(brightness - 1) < kUnseen || !fills_.at(facet.facet).image) continue;
+      FillItem item{loopsOf(facet), {}};
+      const bool isDarker = brightness < 1;
+      item.fill.color = isDarker ? Color{0, 0, 0} : Color{255, 255, 255};
+      item.fill.opacity = isDarker ? 1 - brightness : brightness - 1;
+      group.items.push_back({std::move(item), "shade", "", {}});
     }
     return group;
   }
@@ -101,6 +126,15 @@ class PaperItems {
 
  private:
   Arc inScene(const Arc& arc) const { return transformed(viewToScene_, arc); }
+
+  std::vector<Loop> loopsOf(const VisibleFacet& facet) const {
+    std::vector<Loop> loops;
+    for (const auto& loop : facet.loops) {
+      Loop& arcs = loops.emplace_back();
+      for (const BoundaryPiece& piece : loop) arcs.push_back(inScene(piece.arc));
+    }
+    return loops;
+  }
 
   /// Tears and cuts that end inside a facet take nothing away from what is seen of it; what is seen
   /// of them is drawn all the same.
@@ -145,7 +179,28 @@ class PaperItems {
     return inside;
   }
 
+  /// How much lighter or darker than its own colour a facet looks: 1 where it is turned straight to
+  /// the eye, whichever side of it. The lamp stands behind the left shoulder of the viewer, so that
+  /// all that is seen is in its light.
+  double brightnessOf(const VisibleFacet& facet) const {
+    constexpr Vec3 kLamp{-0.42, 0.5, 0.757};  // in the axes of the view
+    constexpr double kContrast = 0.6;
+    constexpr double kDarkest = 0.5;
+    if (!appearance_.isShaded) return 1;
+    const Vec3 front = state_.poseOf(facet.facet).normal();
+    const Vec3 normal = facet.showsFront ? front : -front;
+    const Vec2 aside = view_.direction(normal);
+    const double light = dot(Vec3{aside.x, aside.y, dot(normal, view_.toEye)}, kLamp);
+    return std::max(kDarkest, 1 + kContrast * (light - kLamp.z));
+  }
+
   Fill fillFor(const VisibleFacet& facet) const {
+    Fill fill = unshadedFill(facet);
+    fill.color = shaded(fill.color, brightnessOf(facet));
+    return fill;
+  }
+
+  Fill unshadedFill(const VisibleFacet& facet) const {
     const Rigid& pose = state_.poseOf(facet.facet);
     if (!view_.isPerspective()) {
       return fillOf(appearance_, facet.showsFront, compose(viewToScene_, paperToView(pose, view_)));
@@ -158,33 +213,6 @@ class PaperItems {
     fill.image = seenTexture(*fill.image, fill.imageToScene, pose, view_, box);
     fill.imageToScene = compose(viewToScene_, {size.x, 0, 0, size.y, box.low.x, box.low.y});
     return fill;
-  }
-
-  /// The silhouette as loops with the paper on their left. Pieces meet at the very same points.
-  std::vector<Loop> silhouetteLoops() const {
-    std::map<std::pair<double, double>, std::vector<const Arc*>> byStart;
-    for (const VisibleFacet& facet : regions_.facets) {
-      for (const auto& loop : facet.loops) {
-        for (const BoundaryPiece& piece : loop) {
-          if (piece.isSilhouette())
-            byStart[{piece.arc.start.x, piece.arc.start.y}].push_back(&piece.arc);
-        }
-      }
-    }
-    std::vector<Loop> loops;
-    for (auto it = byStart.begin(); it != byStart.end(); ++it) {
-      while (!it->second.empty()) {
-        Loop loop;
-        for (auto at = it; at != byStart.end() && !at->second.empty();) {
-          const Arc* arc = at->second.back();
-          at->second.pop_back();
-          loop.push_back(inScene(*arc));
-          at = byStart.find({arc->end.x, arc->end.y});
-        }
-        loops.push_back(std::move(loop));
-      }
-    }
-    return loops;
   }
 
   const FoldedState& state_;
@@ -213,7 +241,7 @@ Affine paperToView(const Rigid& pose, const ViewFrame& view) {
 
 Fill fillOf(const Appearance& appearance, bool showsFront, const Affine& paperToScene) {
   const SideLook& side = showsFront ? appearance.front : appearance.back;
-  Fill fill{side.color, side.texture, {}};
+  Fill fill{side.color, side.texture, {}, 1};
   if (!side.texture) return fill;
   const Vec2 low = appearance.textureBox.low;
   const Vec2 size = appearance.textureBox.high - low;
@@ -232,6 +260,7 @@ std::vector<Group> paperGroups(const FoldedState& state, const VisibleRegions& r
   std::vector<Group> groups;
   append(groups, items.seams(), prefix + "seams", "seams below the paper");
   append(groups, items.paper(prefix), prefix + "paper", "paper");
+  append(groups, items.veils(), prefix + "shades", "shades over textures");
   if (appearance.showCreases) {
     append(groups, items.lines(SeamKind::Crease, creaseStroke(appearance), "crease"),
            prefix + "creases", "creases");

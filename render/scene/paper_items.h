@@ -19,7 +19,8 @@ Fill fillOf(const Appearance& appearance, bool showsFront, const Affine& paperTo
 /// The paper frame of a facet in the coordinates of an orthographic view.
 Affine paperToView(const Rigid& pose, const ViewFrame& view);
 
-/// The visible parts of a model as groups `prefix` + "seams", "paper", "creases" and "edges". The
+/// The visible parts of a model as groups `prefix` + "seams", "paper", "shades", "creases" and
+/// "edges". The
 /// seams are drawn below the fills, in the fill of one neighbour and wide enough that no renderer
 /// lets the ground shine through where two fills meet; they are clipped to the silhouette. Lines in
 /// true width whatever the map's scale.

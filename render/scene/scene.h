@@ -33,6 +33,7 @@ struct Fill {
   Color color;
   std::shared_ptr<const Image> image;
   Affine imageToScene;
+  double opacity = 1;  ///< of the colour; less than 1 only without an image
 };
 
 enum class LineCap { Butt, Round };

@@ -8,6 +8,8 @@
 
 #include "core/base/text.h"
 #include "core/paper/boxes.h"
+#include "render/scene/shadow.h"
+#include "render/scene/spread.h"
 
 namespace kiri {
 namespace {
@@ -25,29 +27,45 @@ Status checkViewSpec(const ViewSpec& spec) {
   constexpr double kFullTurn = 360;
   constexpr double kPole = 90;
   constexpr double kWidest = 120;
+  constexpr double kFarthest = 1000;
   for (const Status& status :
        {within(spec.azimuth, -kFullTurn, kFullTurn, "the azimuth of a view", " degrees"),
         within(spec.elevation, -kPole, kPole, "the elevation of a view", " degrees"),
-        within(spec.fieldOfView, 0, kWidest, "the field of view",
-               " degrees (0: no perspective)")}) {
+        within(spec.fieldOfView, 0, kWidest, "the field of view", " degrees (0: no perspective)"),
+        within(spec.explode, 0, kFarthest, "the gap between exploded layers", " mm"),
+        within(spec.thickness, 0, kFarthest, "the thickness of the paper", " mm")}) {
     if (!status) return status;
   }
   return std::monostate{};
 }
 
-Sphere sphereOf(const FoldedState& state, const ViewSpec&) {
+std::optional<FoldedState> spreadFor(const FoldedState& state, const ViewSpec& spec) {
+  const double gap = spec.explode + spec.thickness;
+  if (!(gap > 0)) return std::nullopt;
+  return spread(state, gap, spec.explode == 0);
+}
+
+Sphere sphereOf(const FoldedState& state, const ViewSpec& spec) {
+  if (const std::optional<FoldedState> shown = spreadFor(state, spec)) {
+    ViewSpec rest = spec;
+    rest.explode = rest.thickness = 0;
+    return sphereOf(*shown, rest);
+  }
   Sphere sphere{modelBoxOf(state).middle(), 0};
+  const auto grow = [&](Vec3 p) {
+    sphere.radius = std::max(sphere.radius, distance(sphere.centre, p));
+  };
   for (std::size_t i = 0; i < state.pattern.facets.size(); ++i) {
     for (const EdgeUse use : state.pattern.facets[i].border) {
       const Arc arc = arcOf(state.pattern, use);
-      const auto grow = [&](Vec2 p) {
-        sphere.radius = std::max(sphere.radius, distance(sphere.centre, state.poses[i].apply(p)));
-      };
-      grow(arc.start);
+      grow(state.poses[i].apply(arc.start));
       if (!arc.isCurved) continue;
-      grow(arc.control1);  // the curve lies between its control points
-      grow(arc.control2);
+      grow(state.poses[i].apply(arc.control1));  // the curve lies between its control points
+      grow(state.poses[i].apply(arc.control2));
     }
+  }
+  if (spec.hasShadow) {
+    for (const Vec3 p : shadowPoints(state)) grow(p);
   }
   return sphere;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "core/base/result.h"
 #include "core/paper/folded_state.h"
 #include "render/visibility/view_frame.h"
@@ -14,6 +16,10 @@ struct ViewSpec {
   double azimuth = 0;      ///< degrees, see viewFrom
   double elevation = 90;   ///< degrees, see viewFrom
   double fieldOfView = 0;  ///< degrees; 0: orthographic, parallel lines stay parallel
+  double explode = 0;      ///< mm that layers are lifted off each other, to be read one by one
+  double thickness = 0;    ///< mm that the paper seems to be thick: layers lifted, but joined
+  bool isShaded = false;   ///< facets are the darker the more they are turned away
+  bool hasShadow = false;  ///< a soft shadow on the table, for an eye above it
 };
 
 constexpr ViewSpec frontSpec() { return {0, 90}; }
@@ -32,6 +38,9 @@ struct Sphere {
 Sphere sphereOf(const FoldedState& state, const ViewSpec& spec = {});
 /// A ball that holds both.
 Sphere joined(const Sphere& a, const Sphere& b);
+
+/// What is drawn of the state: layers spread as the spec asks; nothing when it asks for none.
+std::optional<FoldedState> spreadFor(const FoldedState& state, const ViewSpec& spec);
 
 /// The frame of a view at what lies in `sphere`. In perspective the eye is as far away as makes the
 /// ball fill the field of view, so that nothing is behind it, and the middle of the ball appears in

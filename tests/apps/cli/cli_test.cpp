@@ -147,6 +147,10 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
        "the elevation of a view must lie between -90 and 90"},
       {{"render", file, "-o", out, "--perspective", "170"},
        "the field of view must lie between 0 and 120 degrees"},
+      {{"render", file, "-o", out, "--explode", "-1"},
+       "the gap between exploded layers must lie between 0 and 1000 mm"},
+      {{"render", file, "-o", out, "--thickness", "nan"},
+       "the thickness of the paper must lie between 0 and 1000 mm"},
       {{"sheet", file, "-o", out, "--perspective", "30"}, "there is no option --perspective"},
       {{"sheet", file, "-o", out, "--columns", "-1"}, "--columns must lie between"},
       {{"sheet", file, "-o", out, "--width", "1"}, "--width must lie between"},
@@ -302,6 +306,11 @@ TEST_F(Cli, WritesEveryPicture) {
   EXPECT_EQ(
       kiri({"render", file, "--view", "-30,40", "--perspective", "40", "-o", path("d.png")}).code,
       kDone);
+  EXPECT_EQ(kiri({"render", file, "--view", "30,20", "--shade", "--shadow", "--explode", "3",
+                  "--thickness", "0.2", "-o", path("f.svg")})
+                .code,
+            kDone);
+  EXPECT_TRUE(holds(get("f.svg"), "fill-opacity"));
   EXPECT_EQ(kiri({"sheet", file, "--view", "-30,40", "-o", path("e.png")}).code, kDone);
   EXPECT_EQ(kiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
             kDone);
@@ -310,7 +319,7 @@ TEST_F(Cli, WritesEveryPicture) {
   EXPECT_TRUE(holds(get("a.SVG"), "<svg"));
   EXPECT_EQ(get("b.pdf").substr(0, 4), "%PDF");
   EXPECT_EQ(get("c.png").substr(1, 3), "PNG");
-  EXPECT_EQ(fileCount(), 7u) << "no temporary file is left";
+  EXPECT_EQ(fileCount(), 8u) << "no temporary file is left";
 }
 
 TEST_F(Cli, DrawsPaperWithoutItsTextureWhenThatCannotBeRead) {
