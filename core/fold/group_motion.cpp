@@ -124,7 +124,7 @@ std::shared_ptr<const RigidPath> pathFor(const FoldedState& state,
                                          const std::vector<Wanted>& wanted) {
   if (wanted.empty()) return nullptr;
   std::optional<RigidPath> path = rigidPath(state, requestFor(state, wanted));
-  if (!path || !path->isComplete()) return nullptr;
+  if (!path || !path->arrives()) return nullptr;
   return std::make_shared<const RigidPath>(std::move(*path));
 }
 

@@ -38,6 +38,16 @@ inline constexpr double kParallel = 1e-9;
 inline constexpr double kSamePlane = 1e-8;
 /// Fold angles nearer than this, in degrees, are equal.
 inline constexpr double kSameAngle = 1e-9;
+/// A closed loop of creases that misses its start by a smaller turn (radians, lengths as parts of
+/// the sheet) closes: beyond rounding, far below length().
+inline constexpr double kClosedLoop = 1e-10;
+/// Damping of the least-squares equations of loops, whose squared singular values are about 1, or
+/// the square of the fold angles in radians where the paper is almost flat.
+inline constexpr double kLoopDamping = 1e-10;
+/// Hinges beyond 180 degrees by less, in degrees, are at 180: what a solution of loops may miss.
+inline constexpr double kFullFold = 1e-8;
+/// Parts of a motion nearer than this are one moment.
+inline constexpr double kSameMoment = 1e-9;
 /// Below this a leading coefficient counts as zero beside the others: the polynomial has a lower
 /// degree.
 inline constexpr double kVanishing = 1e-14;

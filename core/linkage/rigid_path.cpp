@@ -1,21 +1,44 @@
+// Straight motions, and what lies between the samples of a followed one.
 // SPDX-License-Identifier: MIT
 #include "core/linkage/rigid_path.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/base/check.h"
+#include "core/linkage/closure.h"
+#include "core/linkage/continuation.h"
 
 namespace kiri {
 namespace {
 
-FoldAngles mixed(const FoldAngles& a, const FoldAngles& b, double part) {
-  FoldAngles result = a;
-  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + (b[i] - a[i]) * part;
-  return result;
+/// Moments at which a straight motion is tested. A loop that closes at so many, unevenly spread,
+/// closes throughout: its equations are sums of few sines.
+constexpr int kStraightTests = 37;
+
+FoldAngles between(const FoldAngles& a, const FoldAngles& b, double part) {
+  if (part == 1) return b;
+  FoldAngles angles = a;
+  for (std::size_t e = 0; e < a.size(); ++e) angles[e] += part * (b[e] - a[e]);
+  return angles;
+}
+
+bool closesStraight(const Closure& closure, const FoldAngles& start, const FoldAngles& end) {
+  if (!closure.hasLoops()) return true;
+  // Half way first: where a straight motion fails, it mostly fails there.
+  for (int i = kStraightTests; i > 0; --i) {
+    const double part = std::sqrt(static_cast<double>(i) / kStraightTests);
+    if (closure.error(between(start, end, part / 2)) > kClosedLoop) return false;
+    if (closure.error(between(start, end, 1 - part / 2)) > kClosedLoop) return false;
+  }
+  return closure.error(end) <= kClosedLoop;
 }
 
 }  // namespace
 
 FoldAngles anglesOf(const CreasePattern& pattern) {
   FoldAngles angles;
+  angles.reserve(pattern.edges.size());
   for (const Edge& edge : pattern.edges)
     angles.push_back(edge.kind == EdgeKind::Hinge ? edge.angle : 0);
   return angles;
@@ -23,38 +46,80 @@ FoldAngles anglesOf(const CreasePattern& pattern) {
 
 double closureError(const CreasePattern& pattern, const std::vector<Rest>& rests,
                     const FoldAngles& angles) {
-  CreasePattern bent = pattern;
-  for (std::size_t e = 0; e < angles.size(); ++e) bent.edges[e].angle = angles[e];
-  const std::vector<Rigid> poses = derivePoses(bent, rests);
-  double most = 0;
-  for (const Edge& edge : bent.edges) {
+  CreasePattern folded = pattern;
+  for (std::size_t e = 0; e < angles.size(); ++e) {
+    if (folded.edges[e].kind == EdgeKind::Hinge) folded.edges[e].angle = angles[e];
+  }
+  const std::vector<Rigid> poses = derivePoses(folded, rests);
+  double worst = 0;
+  for (const Edge& edge : folded.edges) {
     if (edge.kind != EdgeKind::Hinge) continue;
-    for (const VertexId v : {edge.from, edge.to}) {
-      const Vec2 p = bent[v];
-      const Vec3 gap = poses[edge.left.index].apply(p) - poses[edge.right.index].apply(p);
-      most = std::max(most, length(gap));
+    const Vec2 a = folded[edge.from];
+    const Vec2 u = normalized(folded[edge.to] - a);
+    const Rigid turned =
+        compose(poses[edge.left.index], rotationAbout({a.x, a.y, 0}, {u.x, u.y, 0}, -edge.angle));
+    for (const EdgeUse use : folded[edge.right].border) {
+      const Vec2 corner = folded[startOf(folded, use)];
+      worst =
+          std::max(worst, distance(turned.apply(corner), poses[edge.right.index].apply(corner)));
     }
   }
-  return most;
+  return worst;
 }
 
-RigidPath::RigidPath(const CreasePattern&, PathRequest, std::vector<Sample> samples)
-    : samples_(std::move(samples)) {}
+RigidPath::RigidPath(PathRequest request, std::vector<Sample> samples, Stop stop,
+                     std::shared_ptr<const Closure> closure)
+    : request_(std::move(request)),
+      samples_(std::move(samples)),
+      stop_(std::move(stop)),
+      closure_(std::move(closure)) {
+  KIRI_CHECK(!samples_.empty(), "a path has a start");
+}
+
+bool RigidPath::arrives() const {
+  const auto isThere = [&](EdgeId e) {
+    return samples_.back().angles[e.index] == request_.wanted[e.index];
+  };
+  return isComplete() && std::all_of(request_.driven.begin(), request_.driven.end(), isThere) &&
+         std::all_of(request_.free.begin(), request_.free.end(), isThere);
+}
 
 FoldAngles RigidPath::at(double part) const {
-  return mixed(samples_.front().angles, samples_.back().angles, part);
+  KIRI_CHECK(part >= 0 && part <= reach() + kSameMoment,
+             "a moment of a path lies between its ends");
+  part = std::min(part, reach());
+  const auto after = std::lower_bound(samples_.begin(), samples_.end(), part,
+                                      [](const Sample& s, double p) { return s.part < p; });
+  if (after->part == part) return after->angles;
+  const Sample& a = *(after - 1);
+  const Sample& b = *after;
+  FoldAngles angles = between(a.angles, b.angles, (part - a.part) / (b.part - a.part));
+  if (!closure_) return angles;
+  drive(angles, samples_.front().angles, request_, part);
+  // Halfway between two samples this was tried when they were found; rather a jump than a stretch.
+  if (!closure_->close(angles)) return a.angles;
+  putFullOnes(angles);
+  return angles;
 }
 
-std::optional<RigidPath> rigidPath(const FoldedState& state, const PathRequest& request,
-                                   const Progress&) {
+RigidPath rigidPath(const FoldedState& state, const PathRequest& request,
+                    const Progress& progress) {
+  KIRI_CHECK(request.wanted.size() == state.pattern.edges.size(), "a wanted angle for each edge");
   const FoldAngles start = anglesOf(state.pattern);
-  constexpr int kLooks = 16;
-  for (int i = 1; i <= kLooks; ++i) {
-    const FoldAngles angles = mixed(start, request.wanted, i / static_cast<double>(kLooks));
-    if (closureError(state.pattern, state.rests, angles) > state.tolerance().match())
-      return std::nullopt;
+  std::vector<EdgeId> changing = request.driven;
+  changing.insert(changing.end(), request.free.begin(), request.free.end());
+  FoldAngles end = start;
+  for (const EdgeId e : changing) {
+    KIRI_CHECK(state.pattern[e].kind == EdgeKind::Hinge, "only hinges change their angles");
+    end[e.index] = request.wanted[e.index];
   }
-  return RigidPath(state.pattern, request, {{0, start}, {1, request.wanted}});
+  const auto closure = std::make_shared<const Closure>(state.pattern, changing, request.free);
+  if (closesStraight(*closure, start, end))
+    return RigidPath(request, {{0, start}, {1, end}}, {}, nullptr);
+  PathRequest bounded = request;
+  bounded.wanted = end;
+  return continuedPath(start, bounded, closure, Closure(state.pattern, changing, changing),
+                       progress);
 }
 
 }  // namespace kiri
