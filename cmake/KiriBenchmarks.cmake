@@ -6,6 +6,10 @@ if(NOT benchmark_FOUND)
   message(STATUS "Google Benchmark not found: no benchmarks (./test installs it)")
   return()
 endif()
+if(NOT TARGET kiri_oracles)
+  message(STATUS "no benchmarks without the tests' library of models (KIRI_TESTS, GoogleTest)")
+  return()
+endif()
 
 file(GLOB_RECURSE bench_files RELATIVE ${PROJECT_SOURCE_DIR}/benchmarks CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/benchmarks/*_bench.cpp)
@@ -21,5 +25,6 @@ foreach(room IN LISTS bench_rooms)
   string(REPLACE "/" "_" suffix ${room})
   add_executable(kiri_bench_${suffix} ${sources})
   target_include_directories(kiri_bench_${suffix} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(kiri_bench_${suffix} PRIVATE ${bench_layers} kiri_warnings benchmark::benchmark_main)
+  target_link_libraries(kiri_bench_${suffix} PRIVATE kiri_oracles ${bench_layers} kiri_warnings
+                                             benchmark::benchmark_main)
 endforeach()
