@@ -29,6 +29,8 @@ const char* nameOf(CollisionMoment moment) {
       return "end";
     case CollisionMoment::Hinge:
       return "hinge";
+    case CollisionMoment::During:
+      return "during";
   }
   return "";
 }
@@ -57,6 +59,9 @@ JsonValue collisionsOf(const FoldedState& state) {
     item.add("moment", JsonValue::ofText(nameOf(collision.moment)));
     item.add("moving", point(collision.moving));
     item.add("fixed", point(collision.fixed));
+    item.add("degrees", number(collision.degrees));
+    item.add("place", point(collision.place));
+    item.add("certain", JsonValue::ofBool(collision.isCertain));
     item.add("message", JsonValue::ofText(collision.message));
   }
   return out;

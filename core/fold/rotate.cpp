@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <optional>
 
-#include "core/base/text.h"
+#include "core/fold/collision_text.h"
 #include "core/layers/hinge_checks.h"
+#include "core/sweep/sweep.h"
 
 namespace kiri {
 namespace {
@@ -16,35 +17,6 @@ namespace {
 double tidied(double degrees) {
   const double step = 90 * std::round(degrees / 90);
   return std::abs(degrees - step) <= kSameAngle ? step : degrees;
-}
-
-const char* nameOf(CollisionMoment moment) {
-  switch (moment) {
-    case CollisionMoment::Start:
-      return "as the motion begins, the paper at %s mm lies on the wrong side of the "
-             "paper at %s mm and would pass through it; unfold what holds it first, or "
-             "fold the other way";
-    case CollisionMoment::End:
-      return "as the motion ends, the paper at %s mm would pass through the paper at %s mm, on "
-             "which it lands; fold "
-             "fewer layers, lay flat what stands in the way, or tear here";
-    case CollisionMoment::Hinge:
-      return "the crease between the paper at %s mm and at %s mm would turn past 180 "
-             "degrees, through itself; unfold it first";
-  }
-  return "";
-}
-
-Collision describe(const CreasePattern& pattern, const Contact& contact) {
-  Collision c;
-  c.moment = contact.moment;
-  c.moving = interiorPointOf(pattern, contact.moving);
-  c.fixed = interiorPointOf(pattern, contact.fixed);
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, nameOf(contact.moment), text(c.moving).c_str(),
-                text(c.fixed).c_str());
-  c.message = buffer;
-  return c;
 }
 
 /// Turns the hinges between moving and resting facets; tells which would turn through themselves.
@@ -135,6 +107,27 @@ FoldedState afterTurn(const FoldedState& state, const std::vector<bool>& moves,
   return after;
 }
 
+/// Appends what the motion meets, in the order in which it happens.
+void noteCollisions(const Turned& turned, const std::vector<Contact>& contacts,
+                    std::vector<Collision>& collisions) {
+  // `collisions` may belong to the state that describes them, so they are written first.
+  std::vector<Collision> met;
+  bool startsWrong = false;
+  for (const Contact& contact : contacts) {
+    startsWrong = startsWrong || contact.moment == CollisionMoment::Start;
+    if (contact.moment != CollisionMoment::End) met.push_back(described(turned, contact));
+  }
+  // What is wrong from the start says nothing new on the way.
+  if (!startsWrong) {
+    const SweepReport report = sweep(turned.before, turned.moves, turned.motion);
+    if (report.verdict != SweepVerdict::Free) met.push_back(described(turned, report));
+  }
+  for (const Contact& contact : contacts) {
+    if (contact.moment == CollisionMoment::End) met.push_back(described(turned, contact));
+  }
+  std::move(met.begin(), met.end(), std::back_inserter(collisions));
+}
+
 }  // namespace
 
 int turnSign(const FoldedState& state, const Edge& edge, const Motion& motion, bool leftMoves) {
@@ -149,8 +142,7 @@ FoldedState rotate(FoldedState state, const std::vector<bool>& moves, const Moti
   std::vector<Contact> contacts;
   FoldedState after = afterTurn(state, moves, motion, contacts);
   checkClosed(state, after, moves, motion, contacts);
-  for (const Contact& contact : contacts)
-    after.collisions.push_back(describe(after.pattern, contact));
+  noteCollisions({state, after, moves, motion}, contacts, after.collisions);
   if (record != nullptr) {
     record->push_back(
         {std::make_shared<const FoldedState>(std::move(state)), Turning{moves, motion}});

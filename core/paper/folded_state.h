@@ -34,16 +34,20 @@ enum class CollisionMoment {
   Start,  ///< a moving facet lies on the wrong side of a fixed one as the motion begins
   End,  ///< a moving facet arrives on both sides of a fixed one, or one pierces the other where it
         ///< lands
-  Hinge,  ///< a hinge would turn past 180 degrees, through itself
+  Hinge,   ///< a hinge would turn past 180 degrees, through itself
+  During,  ///< a moving facet meets a resting one on the way
 };
 
 /// One layer pushed through another.
 struct Collision {
   std::uint32_t step = 0;  ///< number of the step in the model, from 1; 0 when applied by itself
   CollisionMoment moment = CollisionMoment::Start;
-  Vec2 moving;          ///< point of the moving facet, paper frame
-  Vec2 fixed;           ///< point of the fixed facet, paper frame
-  std::string message;  ///< a sentence: what, where, what may be done
+  Vec2 moving;            ///< point of the moving facet, paper frame
+  Vec2 fixed;             ///< point of the fixed facet, paper frame
+  double degrees = 0;     ///< how far the fold is folded then, in its own direction
+  Vec3 place;             ///< where, model frame, mm; but for During a point of the moving facet
+  bool isCertain = true;  ///< false: so near a touch that rounding decides
+  std::string message;    ///< a sentence: what, where, what may be done
 };
 
 /// A moment in the life of the paper.

@@ -95,6 +95,12 @@ Stance stanceOf(Vec3 normal, double offset, const Tolerance& tolerance) {
   return isPage ? Stance::Page : Stance::Slanting;
 }
 
+/// Whether the paper goes on straight across an edge, and on both sides moves alike.
+bool isStraightOn(const Edge& edge, const std::vector<bool>& moves) {
+  return edge.kind == EdgeKind::Hinge && edge.angle == 0 &&
+         moves[edge.left.index] == moves[edge.right.index];
+}
+
 /// Whether a corner at the axis is less than half a turn wide, so that a walk past it goes the
 /// short way round.
 bool isConvexCorner(const Body& body, std::size_t i) {
@@ -141,7 +147,8 @@ bool Patch::covers(Vec3 p, double slack) const {
   return true;
 }
 
-Body bodyOf(const FoldedState& state, FacetId facet, const AxisFrame& frame) {
+Body bodyOf(const FoldedState& state, const std::vector<bool>& moves, const AxisFrame& frame,
+            FacetId facet) {
   const CreasePattern& pattern = state.pattern;
   const Rigid& pose = state.poseOf(facet);
   const Rigid placed{frame.direction(pose.x), frame.direction(pose.y), frame.direction(pose.z),
@@ -161,6 +168,8 @@ Body bodyOf(const FoldedState& state, FacetId facet, const AxisFrame& frame) {
     body.hull.push_back(placed.apply(arc.control1));
     body.hull.push_back(placed.apply(arc.control2));
   }
+  body.goesOn = std::any_of(f.border.begin(), f.border.end(),
+                            [&](EdgeUse use) { return isStraightOn(pattern[use.edge], moves); });
   measure(body, body.hull.size() != outer, pattern.tolerance.match());
   return body;
 }
@@ -171,9 +180,7 @@ namespace {
 bool goesOn(const CreasePattern& pattern, const std::vector<bool>& moves, FacetId facet,
             std::int32_t tag) {
   if (tag == ConvexPart::kInner) return true;
-  const Edge& edge = pattern[pattern[facet].border[static_cast<std::size_t>(tag)].edge];
-  if (edge.kind != EdgeKind::Hinge || edge.angle != 0) return false;
-  return moves[edge.left.index] == moves[edge.right.index];
+  return isStraightOn(pattern[pattern[facet].border[static_cast<std::size_t>(tag)].edge], moves);
 }
 
 /// Takes in the sides that do not go on, and blunts the corners of those that do.
@@ -203,6 +210,36 @@ std::vector<Vec2> takenIn(const ConvexPart& part, const std::vector<bool>& isOpe
   return left;
 }
 
+struct BorderSide {
+  Vec2 from;
+  Vec2 to;
+};
+
+/// Takes in what is left of a part from sides of the border that belong to other parts: next to a
+/// sliver the border is nearer than the sides of the part.
+std::vector<Vec2> clearOf(std::vector<Vec2> left, const std::vector<BorderSide>& sides,
+                          double margin, double eps) {
+  for (const BorderSide& side : sides) {
+    if (left.size() < 3) return {};
+    const Vec2 along = normalized(side.to - side.from);
+    const Vec2 in = perpendicular(along);
+    const double span = distance(side.from, side.to);
+    bool isNear = false;
+    bool isBehind = false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const Vec2 p = left[i] - side.from;
+      const double depth = dot(in, p);
+      isBehind = isBehind || depth < -eps;
+      isNear =
+          isNear || (depth < margin && dot(along, p) > -margin && dot(along, p) < span + margin);
+    }
+    if (isBehind || !isNear) continue;
+    const Vec2 a = side.from + in * margin;
+    left = clipLeft(left, a, a + along, eps);
+  }
+  return left;
+}
+
 Patch patchOf(const std::vector<Vec2>& points, const Rigid& placed) {
   Patch patch;
   patch.normal = placed.z;
@@ -227,12 +264,25 @@ std::vector<Patch> insideOf(const FoldedState& state, const std::vector<bool>& m
   const Rigid& pose = state.poseOf(facet);
   const Rigid placed{frame.direction(pose.x), frame.direction(pose.y), frame.direction(pose.z),
                      frame.toFrame(pose.origin)};
+  const std::vector<ConvexPart> parts = convexParts(regionOf(pattern, facet), pattern.tolerance);
+  std::vector<BorderSide> border;
+  for (const ConvexPart& part : parts) {
+    for (std::size_t i = 0; i < part.tags.size() && parts.size() > 1; ++i) {
+      const BorderSide side{part.points[i], part.points[(i + 1) % part.points.size()]};
+      if (!goesOn(pattern, moves, facet, part.tags[i]) && side.from != side.to)
+        border.push_back(side);
+    }
+  }
+  const double eps = pattern.tolerance.length();
   std::vector<Patch> patches;
-  for (const ConvexPart& part : convexParts(regionOf(pattern, facet), pattern.tolerance)) {
+  for (const ConvexPart& part : parts) {
     std::vector<bool> isOpen;
     for (const std::int32_t tag : part.tags) isOpen.push_back(goesOn(pattern, moves, facet, tag));
-    const std::vector<Vec2> inside = takenIn(part, isOpen, margin, pattern.tolerance.length());
-    if (inside.size() >= 3) patches.push_back(patchOf(inside, placed));
+    const std::vector<Vec2> inside =
+        clearOf(takenIn(part, isOpen, margin, eps), border, margin, eps);
+    if (inside.size() < 3) continue;
+    patches.push_back(patchOf(inside, placed));
+    patches.back().goesOn = std::find(isOpen.begin(), isOpen.end(), true) != isOpen.end();
   }
   return patches;
 }

@@ -18,6 +18,7 @@ struct Patch {
   double zLow = 0;
   double zHigh = 0;
   double rHigh = 0;
+  bool goesOn = false;  ///< across one of its sides the paper goes straight on
 
   double heightOf(Vec3 p) const { return dot(normal, p) - offset; }
   /// Whether a point of the plane lies inside or within `slack` of it.
@@ -42,15 +43,17 @@ struct Body {
   double zHigh = 0;
   double rLow = 0;
   double rHigh = 0;
-  double from = 0;   ///< azimuth, radians, roughly: see kAzimuthSlack
-  double width = 0;  ///< azimuths from `from` on; kFullTurn when all
+  double from = 0;      ///< azimuth, radians, roughly: see kAzimuthSlack
+  double width = 0;     ///< azimuths from `from` on; kFullTurn when all
+  bool goesOn = false;  ///< across one of its sides the paper goes straight on
 };
 
 inline constexpr double kFullTurn = 2 * std::numbers::pi;
 /// Azimuths of a Body are no further off than this.
 inline constexpr double kAzimuthSlack = 0.02;
 
-Body bodyOf(const FoldedState& state, FacetId facet, const AxisFrame& frame);
+Body bodyOf(const FoldedState& state, const std::vector<bool>& moves, const AxisFrame& frame,
+            FacetId facet);
 
 /// The inside of a facet, taken in from its border by `margin`, as patches. Where the paper goes on
 /// straight (flat hinges to facets that move alike) nothing is taken in but at the corners.

@@ -57,8 +57,8 @@ bool doAzimuthsMeet(const Body& m, const Body& f, double turn) {
   return ahead <= m.width + turn + 2 * kAzimuthSlack || behind <= f.width + 2 * kAzimuthSlack;
 }
 
-/// Where a side of one patch runs through the other.
-std::optional<Vec3> piercing(const Patch& a, const Patch& b) {
+/// Where a side of one patch runs through the other, or within `reach` of it.
+std::optional<Vec3> piercing(const Patch& a, const Patch& b, double reach) {
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     const Vec3 p = a.points[i];
     const Vec3 q = a.points[i + 1 < a.points.size() ? i + 1 : 0];
@@ -66,7 +66,7 @@ std::optional<Vec3> piercing(const Patch& a, const Patch& b) {
     const double hq = b.heightOf(q);
     if ((hp < 0) == (hq < 0)) continue;
     const Vec3 place = p + (q - p) * (hp / (hp - hq));
-    if (b.covers(place, 0)) return place;
+    if (b.covers(place, reach)) return place;
   }
   return std::nullopt;
 }
@@ -98,7 +98,7 @@ class PairSearch {
     if (m.zLow > f.zHigh + touch_ || f.zLow > m.zHigh + touch_) return false;
     if (m.rLow > f.rHigh + touch_ || f.rLow > m.rHigh + touch_) return false;
     if (!doAzimuthsMeet(m, f, radians_)) return false;
-    const double slack = state_.tolerance().length();
+    const double slack = slackFor(m.goesOn || f.goesOn);
     return !stayBeside(m.hull, f.normal, f.offset, frame_, slack) &&
            !isStayedBeside(f.hull, m.normal, m.offset, frame_, slack);
   }
@@ -117,6 +117,13 @@ class PairSearch {
   static Turn halfOf(const AxisFrame& frame) {
     const CosSin half = cosSinDegrees(frame.degrees / 2);
     return {half.cos, half.sin};
+  }
+
+  /// How far points may stand on the wrong side of a plane and still count as beside it. Where the
+  /// paper goes on beyond what is looked at, they must be clear of it.
+  double slackFor(bool goesOn) const {
+    const double slack = state_.tolerance().length();
+    return goesOn ? -slack : slack;
   }
 
   /// The turn that moves a point at this distance from the axis well beyond mere touching.
@@ -155,7 +162,7 @@ class PairSearch {
 
   bool canMeet(const Patch& a, const Patch& b) const {
     if (a.zLow > b.zHigh + touch_ || b.zLow > a.zHigh + touch_) return false;
-    const double slack = state_.tolerance().length();
+    const double slack = slackFor(a.goesOn || b.goesOn);
     return !stayBeside(a.points, b.normal, b.offset, frame_, slack) &&
            !isStayedBeside(b.points, a.normal, a.offset, frame_, slack);
   }
@@ -166,8 +173,8 @@ class PairSearch {
       const Patch there = turned(a, turn);
       for (const Patch& b : patches(f.facet, margin)) {
         if (length(cross(there.normal, b.normal)) <= kSamePlane) continue;
-        std::optional<Vec3> place = piercing(there, b);
-        if (!place) place = piercing(b, there);
+        std::optional<Vec3> place = piercing(there, b, touch_ / 8);
+        if (!place) place = piercing(b, there, touch_ / 8);
         if (place) return place;
       }
     }

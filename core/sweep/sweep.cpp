@@ -39,7 +39,7 @@ SweepReport sweep(const FoldedState& state, const std::vector<bool>& moves, cons
   std::vector<Body> moving;
   std::vector<Body> resting;
   for (std::size_t f = 0; f < state.pattern.facets.size(); ++f) {
-    (moves[f] ? moving : resting).push_back(bodyOf(state, FacetId(f), frame));
+    (moves[f] ? moving : resting).push_back(bodyOf(state, moves, frame, FacetId(f)));
   }
   if (moving.empty() || resting.empty()) return {};
   FirstFound found;

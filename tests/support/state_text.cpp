@@ -82,7 +82,7 @@ std::string textOf(const FoldedState& state) {
   for (const Rigid& pose : state.poses) out << "pose" << pose << "\n";
   for (const Collision& c : state.collisions) {
     out << "collision" << c.step << static_cast<std::uint32_t>(c.moment) << c.moving << c.fixed
-        << c.message << "\n";
+        << c.degrees << c.place << c.isCertain << c.message << "\n";
   }
   return out.text();
 }
