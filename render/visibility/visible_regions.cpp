@@ -9,6 +9,7 @@
 
 #include "render/visibility/arrangement.h"
 #include "render/visibility/coverage.h"
+#include "render/visibility/faces.h"
 #include "render/visibility/facet_view.h"
 #include "render/visibility/grid.h"
 #include "render/visibility/occlusion.h"
@@ -109,7 +110,8 @@ VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view) {
   const FacetViews views(state, view);
   const std::vector<std::uint32_t> inSight = facetsInSight(views);
   const Arrangement map = arrange(views, inSight);
-  const std::vector<SeenBeside> seen = seenBesideSides(views, inSight, map);
+  std::vector<SeenBeside> seen = seenBesideSides(views, inSight, map);
+  settleFaces(map, seen);
   return tracedRegions(views, seamsOf(views, map, seen));
 }
 
