@@ -13,6 +13,7 @@
 #include "render/visibility/facet_view.h"
 #include "render/visibility/grid.h"
 #include "render/visibility/occlusion.h"
+#include "render/visibility/regions_of_views.h"
 #include "render/visibility/seams.h"
 
 namespace kiri {
@@ -107,7 +108,10 @@ VisibleRegions tracedRegions(const FacetViews& views, const std::vector<HalfSeam
 }  // namespace
 
 VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view) {
-  const FacetViews views(state, view);
+  return regionsOfViews(FacetViews(state, view));
+}
+
+VisibleRegions regionsOfViews(const FacetViews& views) {
   const std::vector<std::uint32_t> inSight = facetsInSight(views);
   const Arrangement map = arrange(views, inSight);
   std::vector<SeenBeside> seen = seenBesideSides(views, inSight, map);
