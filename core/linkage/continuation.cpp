@@ -32,7 +32,6 @@ class Follower {
         request_(request),
         closure_(std::move(closure)),
         loose_(&loose),
-        wantedCloses_(closure_->error(request.wanted) <= kClosedLoop),
         tried_(start) {
     samples_.push_back({0, start});
   }
@@ -141,6 +140,7 @@ class Follower {
   bool advance();
   bool stepTo(double part, const FoldAngles& guess);
   bool arrives(const FoldAngles& guess);
+  FoldAngles flatNear(const FoldAngles& guess) const;
   bool begin();
   bool beginWith(const RigidPath::Sample& near);
   std::optional<RigidPath::Sample> firstOf(double turn, double scale, bool keepsSigns) const;
@@ -151,7 +151,6 @@ class Follower {
   const PathRequest& request_;
   std::shared_ptr<const Closure> closure_;
   const Closure* loose_;
-  bool wantedCloses_;
   std::vector<RigidPath::Sample> samples_;
   RigidPath::Stop stop_;
   FoldAngles tried_;                        ///< what did not close when the path stopped
@@ -196,23 +195,39 @@ bool Follower::stepTo(double part, const FoldAngles& guess) {
   }
   RigidPath::Sample next{part, *found};
   if (!middleOf(now, next)) return false;
-  if (part == 1 && wantedCloses_ && apart(next.angles, request_.wanted) < kSnap)
-    next.angles = request_.wanted;
+  if (part == 1) {
+    for (const FoldAngles& end : {request_.wanted, flatNear(next.angles)}) {
+      if (apart(next.angles, end) < kSnap && closure_->error(end) <= kClosedLoop) next.angles = end;
+    }
+  }
   samples_.push_back(std::move(next));
   return true;
 }
 
-/// The wanted angles are where the motion leads when they lie where it points to. Flat ends are
-/// singular: correction would miss them by what rounding allows.
+/// The wanted angles, or flat ones, are where the motion leads when they lie where it points to.
+/// Flat ends are singular: correction would miss them by what rounding allows.
 bool Follower::arrives(const FoldAngles& guess) {
   const RigidPath::Sample& now = samples_.back();
-  if (!wantedCloses_) return false;
-  const double step = apart(request_.wanted, now.angles);
-  if (step > 2 * kTurn || apart(guess, request_.wanted) > kCorrection * step + kSnap) return false;
-  RigidPath::Sample next{1, request_.wanted};
-  if (!middleOf(now, next)) return false;
-  samples_.push_back(std::move(next));
-  return true;
+  for (const FoldAngles& end : {request_.wanted, flatNear(guess)}) {
+    const double step = apart(end, now.angles);
+    if (step > 2 * kTurn || apart(guess, end) > kCorrection * step + kSnap) continue;
+    if (closure_->error(end) > kClosedLoop) continue;
+    RigidPath::Sample next{1, end};
+    if (!middleOf(now, next)) continue;
+    samples_.push_back(std::move(next));
+    return true;
+  }
+  return false;
+}
+
+/// The wanted angles, but free hinges that come near to flat or fully folded there.
+FoldAngles Follower::flatNear(const FoldAngles& guess) const {
+  FoldAngles end = request_.wanted;
+  for (const EdgeId e : request_.free) {
+    const double flat = 180 * std::round(guess[e.index] / 180);
+    if (std::abs(flat - guess[e.index]) < kTurn) end[e.index] = flat;
+  }
+  return end;
 }
 
 /// The first step. Where the start is flat, several branches meet in it: the one is sought in which

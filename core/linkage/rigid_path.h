@@ -83,7 +83,8 @@ class RigidPath {
 /// closure equations (rigid folding by projection, Tachi; guide to algorithms 7.1), from a flat
 /// state into the branch in which every hinge leaves towards its wanted angle. Where more than one
 /// motion is free, the one nearest to heading straight for what is wanted is taken. At the end all
-/// hinges have their wanted angles, exactly, if the motion leads there; the driven ones always.
+/// hinges have their wanted angles, or all are flat, exactly, if the motion leads there; the driven
+/// ones are as wanted always.
 /// Rigid foldability is NP-hard: that no path is found is no proof that there is none.
 /// Collisions are not looked for. `progress`: false stops; the path then ends there.
 RigidPath rigidPath(const FoldedState& state, const PathRequest& request,
