@@ -33,7 +33,7 @@ PACKAGE_HEADERS = {
     "libpng": r"png\.h$",
 }
 # Headers of the operating system: allowed where files are.
-SYSTEM_HEADER = r"(?:unistd|fcntl|signal|termios|sys/\w+)\.h$"
+SYSTEM_HEADER = r"(?:unistd|fcntl|signal|spawn|termios|sys/\w+)\.h$"
 STANDARD_HEADER = r"[a-z_0-9]+$"
 
 RAW_TOLERANCE = re.compile(r"(?<![\w.])\d+(?:\.\d*)?[eE]-\d+")

@@ -16,3 +16,4 @@ sheet leaf_palmate palmate_steps
 sheet leaf_secondary_lobes secondary_lobes --steps 3,5,7,13-16 --columns 4
 sheet ship ship_steps
 sheet kirigami_snowflake snowflake_steps
+./kiri animate examples/leaf_palmate.kiri --size 320x220 --fps 12 --speed 180 --hold 0.2 -o docs/pictures/leaf_film.gif

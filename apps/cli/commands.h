@@ -10,6 +10,7 @@ namespace kiri::cli {
 
 void addRenderCommand(CLI::App& app, Console& console, int& code);
 void addSheetCommand(CLI::App& app, Console& console, int& code);
+void addAnimateCommand(CLI::App& app, Console& console, int& code);
 void addInfoCommand(CLI::App& app, Console& console, int& code);
 void addStepsCommand(CLI::App& app, Console& console, int& code);
 void addExportCommand(CLI::App& app, Console& console, int& code);

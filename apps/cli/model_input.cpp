@@ -74,6 +74,16 @@ Error errorOfStep(const ModelInput& input, std::size_t index, const Error& error
   return out;
 }
 
+void warnOfCollisions(Console& console, const ModelInput& input, const FoldedState& state) {
+  for (const Collision& collision : state.collisions) {
+    std::string where = input.name + ": ";
+    if (collision.step >= 1 && collision.step <= input.model.steps.size()) {
+      where += describeStep(input.model.steps[collision.step - 1], collision.step) + ": ";
+    }
+    warn(console, where + collision.message);
+  }
+}
+
 Result<std::shared_ptr<const FoldedState>> stateAfter(Console& console, const ModelInput& input,
                                                       const Replay& replay, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -81,13 +91,7 @@ Result<std::shared_ptr<const FoldedState>> stateAfter(Console& console, const Mo
   }
   Result<std::shared_ptr<const FoldedState>> state = replay.after(count);
   if (!state.isOk()) return state;
-  for (const Collision& collision : (*state)->collisions) {
-    std::string where = input.name + ": ";
-    if (collision.step >= 1 && collision.step <= input.model.steps.size()) {
-      where += describeStep(input.model.steps[collision.step - 1], collision.step) + ": ";
-    }
-    warn(console, where + collision.message);
-  }
+  warnOfCollisions(console, input, **state);
   return state;
 }
 

@@ -40,6 +40,9 @@ Result<Replay> replayFirst(Console& console, const ModelInput& input, std::size_
 /// "leaf.kiri: step 3 (fold "mid-vein"): what is wrong", for step `index` counted from 0.
 Error errorOfStep(const ModelInput& input, std::size_t index, const Error& error);
 
+/// Prints what pushed through what on the way to a state.
+void warnOfCollisions(Console& console, const ModelInput& input, const FoldedState& state);
+
 /// The state after `count` steps; the error names file and step. Collisions on the way are printed
 /// as warnings.
 Result<std::shared_ptr<const FoldedState>> stateAfter(Console& console, const ModelInput& input,

@@ -27,6 +27,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  kiri render leaf.kiri -o leaf.png\n"
     "  kiri sheet leaf.kiri -o leaf.pdf\n"
+    "  kiri animate leaf.kiri -o leaf.mp4\n"
     "  kiri info leaf.kiri --json\n"
     "  kiri export leaf.kiri -o leaf.fold\n"
     "kiri COMMAND --help says more about each.";
@@ -105,6 +106,7 @@ int parseAndRun(const std::vector<std::string>& arguments, Console& console) {
   describe(app, console);
   addRenderCommand(app, console, code);
   addSheetCommand(app, console, code);
+  addAnimateCommand(app, console, code);
   addInfoCommand(app, console, code);
   addStepsCommand(app, console, code);
   addExportCommand(app, console, code);

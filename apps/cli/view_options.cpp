@@ -31,7 +31,8 @@ void addViewOption(CLI::App& command, ViewOptions& options, const std::string& o
       .add_option("--view", options.view,
                   namesOf(others) +
                       " or AZ,EL: degrees round the model (0: from the near edge, 90: from the "
-                      "right) and up (90: from above, 0: level); default front")
+                      "right) and up (90: from above, 0: level); default " +
+                      options.view)
       ->type_name("VIEW");
 }
 

@@ -117,6 +117,15 @@ Result<Turning> turnTo(const FoldedState& state, FoldLineId line, double amount)
   return Turning{moving.moves, motion};
 }
 
+/// True when creases of other lines lie on the axis by chance and would turn too: the sides of a
+/// tuck that is folded flat. In their loop they turn another way.
+bool doesTurnOthers(const FoldedState& state, FoldLineId line, const Turning& turn) {
+  return std::any_of(state.pattern.edges.begin(), state.pattern.edges.end(), [&](const Edge& edge) {
+    return edge.kind == EdgeKind::Hinge && edge.line != line &&
+           turn.moves[edge.left.index] != turn.moves[edge.right.index];
+  });
+}
+
 /// The line can move, and others with it, but not so far.
 Error stopped(const FoldedState& state, FoldLineId line, const Followed& followed,
               const Error& alone) {
@@ -144,17 +153,19 @@ std::vector<EdgeId> hingesOf(const FoldedState& state, FoldLineId line) {
 Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount,
                               Movements* record) {
   const Result<Turning> turn = turnTo(state, line, amount);
-  if (turn) {
-    FoldedState next = rotate(state, turn->moves, turn->motion, record);
-    if (amount != 0) next.lines[line.index].foldedAmount = amount;
-    return next;
+  if (!turn && turn.error().code != ErrorCode::Locked) return turn.error();
+  if (!turn || doesTurnOthers(state, line, *turn)) {
+    std::optional<Followed> followed = follow(state, line, amount);
+    if (followed && followed->path->isComplete()) {
+      if (record != nullptr)
+        record->push_back(movementAlong(state, followed->path, followed->state));
+      return std::move(followed->state);
+    }
+    if (!turn) return followed ? stopped(state, line, *followed, turn.error()) : turn.error();
   }
-  if (turn.error().code != ErrorCode::Locked) return turn.error();
-  std::optional<Followed> followed = follow(state, line, amount);
-  if (!followed) return turn.error();
-  if (!followed->path->isComplete()) return stopped(state, line, *followed, turn.error());
-  if (record != nullptr) record->push_back(movementAlong(state, followed->path, followed->state));
-  return std::move(followed->state);
+  FoldedState next = rotate(state, turn->moves, turn->motion, record);
+  if (amount != 0) next.lines[line.index].foldedAmount = amount;
+  return next;
 }
 
 Slide slideAmount(const FoldedState& state, FoldLineId line, double amount) {

@@ -77,14 +77,29 @@ PathRequest requestFor(const FoldedState& state, FoldLineId line, double amount)
   return request;
 }
 
+/// Creases that come to lie flat but for rounding are meant to lie flat.
+FoldAngles tidied(FoldAngles angles) {
+  constexpr double kNearlyFlat = 1.0 / 4096;
+  for (double& angle : angles) {
+    const double flat = 180 * std::round(angle / 180);
+    if (std::abs(angle - flat) <= kNearlyFlat) angle = flat;
+  }
+  return angles;
+}
+
 }  // namespace
 
 std::optional<Followed> follow(const FoldedState& state, FoldLineId line, double amount) {
-  const PathRequest request = requestFor(state, line, amount);
+  PathRequest request = requestFor(state, line, amount);
   const EdgeId leader = request.driven.front();
-  std::optional<RigidPath> found = rigidPath(state, request);
-  if (!found || found->reach() <= 0) return std::nullopt;
-  const auto path = std::make_shared<const RigidPath>(std::move(*found));
+  RigidPath found = rigidPath(state, request);
+  if (found.reach() <= 0) return std::nullopt;
+  if (found.isComplete() && !found.arrives()) {
+    request.wanted = tidied(found.at(1));
+    RigidPath tidy = rigidPath(state, request);
+    if (tidy.arrives()) found = std::move(tidy);
+  }
+  const auto path = std::make_shared<const RigidPath>(std::move(found));
   FoldedState end = stateDuring(movementAlong(state, path, state), path->reach());
   for (std::size_t i = 0; i < end.lines.size(); ++i) {
     const std::optional<double> now = amountOf(end, FoldLineId(i));

@@ -120,12 +120,13 @@ PathRequest requestFor(const FoldedState& state, const std::vector<Wanted>& want
   return request;
 }
 
+/// The way of all of them at once; none when the paper would have to bend on it.
 std::shared_ptr<const RigidPath> pathFor(const FoldedState& state,
                                          const std::vector<Wanted>& wanted) {
   if (wanted.empty()) return nullptr;
-  std::optional<RigidPath> path = rigidPath(state, requestFor(state, wanted));
-  if (!path || !path->arrives()) return nullptr;
-  return std::make_shared<const RigidPath>(std::move(*path));
+  RigidPath path = rigidPath(state, requestFor(state, wanted));
+  if (!path.arrives()) return nullptr;
+  return std::make_shared<const RigidPath>(std::move(path));
 }
 
 Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wanted>& wanted,

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <unordered_map>
 
 #include "core/base/check.h"
 
 namespace kiri {
 namespace {
-
-constexpr std::uint32_t kAbsent = std::numeric_limits<std::uint32_t>::max();
 
 Box boxOf(const std::vector<Arc>& arcs) {
   Box box = boundsOf(arcs.front());
@@ -62,24 +60,33 @@ FacetViews::FacetViews(const FoldedState& state, const ViewFrame& view)
     : state_(state), frame_(view) {
   const auto& sets = state.layers.sets();
   views_.reserve(state.pattern.facets.size());
-  std::vector<std::pair<double, std::size_t>>
+  std::vector<std::pair<double, std::uint32_t>>
       order;  // nearest first, so that far sets find their occluders
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    const Vec3 place =
-        sets[s].upward.empty() ? Vec3{} : state.poseOf(sets[s].upward.front()).origin;
-    hasExceptions_.push_back(!sets[s].exceptions.empty());
-    isFlipped_.push_back(view.facing(sets[s].normal, place) < 0);
-    order.emplace_back(-dot(place, view.toEye), s);
+  for (std::uint32_t s = 0; s < sets.size(); ++s) {
+    if (sets[s].upward.empty()) continue;
+    order.emplace_back(-dot(state.poseOf(sets[s].upward.front()).origin, view.toEye), s);
   }
   std::sort(order.begin(), order.end());
-  for (const auto& [depth, s] : order) {
-    const auto& upward = sets[s].upward;
-    for (std::size_t i = 0; i < upward.size(); ++i) {
-      const std::size_t place = isFlipped_[s] ? i : upward.size() - 1 - i;
-      add(upward[place], static_cast<std::uint32_t>(upward.size() - 1 - i));
-    }
-  }
+  for (const auto& [depth, s] : order) addSet(s);
   collectExceptions();
+}
+
+FacetViews::FacetViews(const FoldedState& state, const ViewFrame& view, std::uint32_t onlySet)
+    : state_(state), frame_(view) {
+  addSet(onlySet);
+  collectExceptions();
+}
+
+void FacetViews::addSet(std::uint32_t set) {
+  const LayerSet& layers = state_.layers.sets()[set];
+  const Vec3 place = state_.poseOf(layers.upward.front()).origin;
+  const bool isFlipped = frame_.facing(layers.normal, place) < 0;
+  sets_.push_back({set, isFlipped});
+  const auto& upward = layers.upward;
+  for (std::size_t i = 0; i < upward.size(); ++i) {
+    const std::size_t at = isFlipped ? i : upward.size() - 1 - i;
+    add(upward[at], static_cast<std::uint32_t>(upward.size() - 1 - i));
+  }
 }
 
 void FacetViews::add(FacetId facet, std::uint32_t rank) {
@@ -90,7 +97,8 @@ void FacetViews::add(FacetId facet, std::uint32_t rank) {
   FacetView out;
   out.id = facet;
   out.showsFront = towards > 0;
-  out.set = state_.layers.setOf(facet);
+  out.set = sets_.back().number;
+  out.isFlipped = sets_.back().isFlipped;
   out.rank = rank;
   // The plane of the facet, solved for depth; in perspective that of the projected space, in which
   // planes are planes again (ViewFrame::depth).
@@ -146,8 +154,8 @@ double FacetViews::depthTolerance(const FacetView& a, const FacetView& b) const 
 }
 
 bool FacetViews::isOverInSet(const FacetView& a, const FacetView& b) const {
-  if (!hasExceptions_[a.set]) return a.rank > b.rank;
-  return isFlipped_[a.set] ? state_.layers.isAbove(b.id, a.id) : state_.layers.isAbove(a.id, b.id);
+  if (state_.layers.sets()[a.set].exceptions.empty()) return a.rank > b.rank;
+  return a.isFlipped ? state_.layers.isAbove(b.id, a.id) : state_.layers.isAbove(a.id, b.id);
 }
 
 bool FacetViews::isOver(const FacetView& a, const FacetView& b, Vec2 p, Vec2 side) const {
@@ -160,16 +168,18 @@ bool FacetViews::isOver(const FacetView& a, const FacetView& b, Vec2 p, Vec2 sid
 }
 
 void FacetViews::collectExceptions() {
-  std::vector<std::uint32_t> numberOf(state_.pattern.facets.size(), kAbsent);
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    numberOf[views_[i].id.index] = static_cast<std::uint32_t>(i);
-  }
-  const auto& sets = state_.layers.sets();
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    for (const auto& [upper, lower] : sets[s].exceptions) {
-      const std::uint32_t over = numberOf[(isFlipped_[s] ? lower : upper).index];
-      const std::uint32_t under = numberOf[(isFlipped_[s] ? upper : lower).index];
-      if (over != kAbsent && under != kAbsent) exceptions_.emplace_back(under, over);
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers;  // looked up, never walked
+  for (const SetInView& seen : sets_) {
+    const LayerSet& set = state_.layers.sets()[seen.number];
+    if (set.exceptions.empty()) continue;
+    if (numbers.empty()) {
+      for (std::uint32_t i = 0; i < views_.size(); ++i) numbers.emplace(views_[i].id.index, i);
+    }
+    for (const auto& [upper, lower] : set.exceptions) {
+      const auto over = numbers.find((seen.isFlipped ? lower : upper).index);
+      const auto under = numbers.find((seen.isFlipped ? upper : lower).index);
+      if (over != numbers.end() && under != numbers.end())
+        exceptions_.emplace_back(under->second, over->second);
     }
   }
   std::sort(exceptions_.begin(), exceptions_.end());

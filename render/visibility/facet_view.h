@@ -21,6 +21,7 @@ struct FacetView {
   FacetId id;
   bool showsFront = true;
   bool isConvex = false;   ///< one convex loop of straight arcs
+  bool isFlipped = false;  ///< the normal of its layer-set points away from the eye
   std::uint32_t set = 0;   ///< its layer-set
   std::uint32_t rank = 0;  ///< place in its set as seen from the eye, 0 at the bottom
   std::vector<Arc> arcs;
@@ -44,6 +45,8 @@ struct FacetView {
 class FacetViews {
  public:
   FacetViews(const FoldedState& state, const ViewFrame& view);
+  /// The facets of one layer-set only.
+  FacetViews(const FoldedState& state, const ViewFrame& view, std::uint32_t onlySet);
 
   /// All facets that are not seen edge-on, by layer-set, nearest set first, and in it from the top
   /// down.
@@ -63,6 +66,12 @@ class FacetViews {
   std::vector<std::uint32_t> exceptionsOver(std::uint32_t number) const;
 
  private:
+  struct SetInView {
+    std::uint32_t number = 0;
+    bool isFlipped = false;  ///< its normal points away from the eye
+  };
+
+  void addSet(std::uint32_t set);
   void add(FacetId facet, std::uint32_t rank);
   void addBorder(FacetId facet, FacetView& out) const;
   void collectExceptions();
@@ -71,8 +80,7 @@ class FacetViews {
   const FoldedState& state_;
   ViewFrame frame_;
   std::vector<FacetView> views_;
-  std::vector<bool> hasExceptions_;  ///< for each set
-  std::vector<bool> isFlipped_;      ///< for each set: its normal points away from the eye
+  std::vector<SetInView> sets_;  ///< nearest first
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
       exceptions_;  ///< (lower, upper) as seen, sorted
 };

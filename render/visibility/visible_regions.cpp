@@ -9,9 +9,11 @@
 
 #include "render/visibility/arrangement.h"
 #include "render/visibility/coverage.h"
+#include "render/visibility/faces.h"
 #include "render/visibility/facet_view.h"
 #include "render/visibility/grid.h"
 #include "render/visibility/occlusion.h"
+#include "render/visibility/regions_of_views.h"
 #include "render/visibility/seams.h"
 
 namespace kiri {
@@ -106,10 +108,14 @@ VisibleRegions tracedRegions(const FacetViews& views, const std::vector<HalfSeam
 }  // namespace
 
 VisibleRegions visibleRegions(const FoldedState& state, const ViewFrame& view) {
-  const FacetViews views(state, view);
+  return regionsOfViews(FacetViews(state, view));
+}
+
+VisibleRegions regionsOfViews(const FacetViews& views) {
   const std::vector<std::uint32_t> inSight = facetsInSight(views);
   const Arrangement map = arrange(views, inSight);
-  const std::vector<SeenBeside> seen = seenBesideSides(views, inSight, map);
+  std::vector<SeenBeside> seen = seenBesideSides(views, inSight, map);
+  settleFaces(map, seen);
   return tracedRegions(views, seamsOf(views, map, seen));
 }
 

@@ -1,5 +1,5 @@
-// A reader of GLB files of the tests' own, written from the glTF 2.0 specification: what a viewer
-// shows, when. SPDX-License-Identifier: MIT
+// A reader of GLB files of the tests' own, written from the glTF 2.0 specification.
+// SPDX-License-Identifier: MIT
 #include "tests/io/glb_reader.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// glTF, STL and OBJ as another program reads them: the right paper in the right place, plates
-// closed. SPDX-License-Identifier: MIT
+// glTF, STL and OBJ as another program reads them: the right paper, plates closed.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <array>

@@ -7,6 +7,7 @@
 
 #include "core/paper/folded_state.h"
 #include "tests/support/line_motion.h"
+#include "tests/support/space_piece.h"
 
 namespace kiri::test {
 
@@ -18,10 +19,9 @@ struct Crossing {
   FacetId resting;
 };
 
-/// Looks at moments of a motion. Knows nothing of the kernel's sweep: facets are loops of points in
-/// space, cut by the plane of the other facet; points inside a facet are followed from moment to
-/// moment to see them pass a plane. Borders are those of the paper: creases that lie flat between
-/// facets that move alike are none. Cost: facets squared times moments.
+/// Looks at moments of a motion. Knows nothing of the kernel's sweep: facets are cut by the planes
+/// of others (see SpacePiece), and points inside a facet are followed from moment to moment to see
+/// them pass a plane. Cost: facets squared times moments.
 class MotionCheck {
  public:
   MotionCheck(const FoldedState& state, const LineMotion& how);
@@ -39,20 +39,9 @@ class MotionCheck {
   std::optional<Crossing> firstCrossing(int moments, double depth) const;
 
  private:
-  struct Piece {
-    FacetId facet;
-    Vec3 normal;
-    std::vector<std::vector<Vec3>> loops;
-    std::vector<std::vector<bool>> isBorder;  ///< of the side that starts at the point
-    std::vector<Vec3> inner;                  ///< points inside
-    bool moves = false;
-  };
-  Piece pieceOf(const FoldedState& state, FacetId facet, const LineMotion& how) const;
+  using Piece = SpacePiece;
   Vec3 turned(Vec3 p, double degrees) const;
   Piece turned(const Piece& piece, double degrees) const;
-  static double depthOf(const Piece& a, const Piece& b);
-  static double borderDistance(const Piece& piece, Vec3 p);
-  static bool holds(const Piece& piece, Vec3 p);
   std::optional<Crossing> passing(const Piece& m, const Piece& f, double from, double to,
                                   double depth) const;
   const Piece& pieceNamed(FacetId facet) const { return pieces_[facet.index]; }
@@ -60,6 +49,7 @@ class MotionCheck {
   Motion motion_;
   double size_;
   std::vector<Piece> pieces_;
+  std::vector<bool> moves_;
   std::vector<std::vector<bool>> areJoined_;
 };
 
