@@ -7,6 +7,7 @@
 
 #include "core/geometry/arc_range.h"
 #include "core/layers/hinge_checks.h"
+#include "core/layers/hinge_conflicts.h"
 #include "core/layers/merge_orders.h"
 #include "core/layers/plane_view.h"
 
@@ -110,8 +111,9 @@ class Relayering {
       }
     }
     fixed.insert(fixed.end(), landed_.begin(), landed_.end());
-    for (const LayerSet& set : fixed) checkStanding(set);
-    return {LayerOrder(std::move(fixed)), std::move(contacts_)};
+    LayerOrder order(std::move(fixed));
+    for (std::size_t set = 0; set < order.sets().size(); ++set) checkStanding(order, set);
+    return {std::move(order), std::move(contacts_)};
   }
 
  private:
@@ -215,43 +217,18 @@ class Relayering {
     ground.exceptions.insert(set.exceptions.begin(), set.exceptions.end());
   }
 
-  /// Paper that stands on a plane must not pierce the layers there, be it that one of them has come
-  /// to lie across its hinge or that it has turned to the other side of the plane.
-  void checkStanding(const LayerSet& set) {
-    const std::vector<Standing> standing = standingOn(state_.pattern, after_, set);
-    if (standing.empty()) return;
-    const LayerOrder order({set});
-    // Most of these hinges lie on the axis itself, and few layers reach across it.
-    const std::vector<FacetId> straddling = straddlingAxis(set);
-    for (const Standing& hinge : standing) {
-      const bool lyingMoves = moves_[hinge.lying.index];
-      const bool leavingMoves = moves_[hinge.leaving.index];
-      for (const FacetId f : isOnAxis(hinge) ? straddling : set.upward) {
-        const bool layerMoves = moves_[f.index];
-        if (layerMoves == lyingMoves && layerMoves == leavingMoves) continue;
-        if (order.isAbove(hinge.lying, f) == hinge.goesUp) continue;
-        if (!runsThrough(state_.pattern, after_[f.index], f, hinge.from, hinge.to)) continue;
-        const FacetId other = layerMoves != leavingMoves ? hinge.leaving : hinge.lying;
-        report(CollisionMoment::End, layerMoves ? f : other, layerMoves ? other : f);
-      }
+  /// Where paper stands on a plane, more is to be looked at than what lands on what: it must not
+  /// pierce layers, nor other paper that stands or is folded along the same line.
+  void checkStanding(const LayerOrder& order, std::size_t set) {
+    if (standingOn(state_.pattern, after_, order.sets()[set]).empty()) return;
+    const ConflictScope scope{moves_, kMostContacts};
+    for (const HingeConflict& found : hingeConflicts(state_.pattern, after_, order, set, scope)) {
+      FacetId moving;
+      FacetId fixed;
+      for (const FacetId f : {found.first[0], found.first[1], found.second[0], found.second[1]})
+        (moves_[f.index] ? moving : fixed) = f;
+      report(CollisionMoment::End, moving, fixed);
     }
-  }
-
-  bool isOnAxis(const Standing& hinge) const {
-    const double tol = state_.tolerance().match();
-    return length(cross(motion_.axis, hinge.from - motion_.point)) <= tol &&
-           length(cross(motion_.axis, hinge.to - motion_.point)) <= tol;
-  }
-
-  /// Facets with paper on both sides of the axis, where it lies in their plane.
-  std::vector<FacetId> straddlingAxis(const LayerSet& set) const {
-    const Lift lift(motion_, set.normal);
-    std::vector<FacetId> found;
-    for (const FacetId f : set.upward) {
-      const Sides sides = sidesOf(state_.pattern, f, after_[f.index], lift);
-      if (sides.isUp && sides.isDown) found.push_back(f);
-    }
-    return found;
   }
 
   /// The general case: relations pair by pair, then a list that fits them as far as a list can.
