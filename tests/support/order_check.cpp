@@ -321,6 +321,18 @@ class OrderCheck {
     return isAbove(f, taco.first) != isAbove(f, taco.second);
   }
 
+  /// Whether `f` lies on the side of the front of `g`.
+  bool isInFront(FacetId f, FacetId g) const {
+    const Vec3 normal = state_.layers.sets()[state_.layers.setOf(g)].normal;
+    return isAbove(f, g) == (dot(state_.poseOf(g).normal(), normal) > 0);
+  }
+
+  /// Two sheets that bend by the same angle along the same line: the one that is in front stays so.
+  bool isTied(const Passage& a, const Passage& b) const {
+    if (!state_.layers.areCoplanar(a.second, b.second)) return true;
+    return isInFront(a.first, b.first) == isInFront(a.second, b.second);
+  }
+
   /// Whether two runs of paper get past each other. Looks at the pair in this order only.
   bool agree(const Passage& a, const Passage& b) const {
     using Kind = Passage::Kind;
@@ -338,11 +350,13 @@ class OrderCheck {
       case Kind::Up:
         if (b.kind == Kind::Through || b.kind == Kind::Down) return isAbove(a.first, b.first);
         if (b.kind == Kind::Taco) return !isBetween(a.first, b);
-        return a.turn <= b.turn + kSame || isAbove(a.first, b.first);
+        if (std::abs(a.turn - b.turn) <= kSame) return isTied(a, b);
+        return a.turn < b.turn || isAbove(a.first, b.first);
       case Kind::Down:
         if (b.kind == Kind::Through || b.kind == Kind::Up) return isAbove(b.first, a.first);
         if (b.kind == Kind::Taco) return !isBetween(a.first, b);
-        return a.turn <= b.turn + kSame || isAbove(b.first, a.first);
+        if (std::abs(a.turn - b.turn) <= kSame) return isTied(a, b);
+        return a.turn < b.turn || isAbove(b.first, a.first);
     }
     return true;
   }
