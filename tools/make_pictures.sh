@@ -11,9 +11,18 @@ sheet() { # EXAMPLE PICTURE OPTIONS...
   ./kiri sheet "examples/$example.kiri" -o "docs/pictures/$picture.png" --background '#ffffff' --dpi 110 "$@"
 }
 
+view() { # EXAMPLE PICTURE OPTIONS...
+  local example=$1 picture=$2
+  shift 2
+  ./kiri render "examples/$example.kiri" -o "docs/pictures/$picture.png" --background '#ffffff' "$@"
+}
+
 sheet leaf_palmate leaf --steps 14-16 --columns 3 --no-numbers --no-titles
 sheet leaf_palmate palmate_steps
 sheet leaf_secondary_lobes secondary_lobes --steps 3,5,7,13-16 --columns 4
 sheet ship ship_steps
 sheet kirigami_snowflake snowflake_steps
+view leaf_hornbeam opening --step 30.6 --view=-25,35 --perspective 30 --shade --shadow --dpi 90
+view kirigami_snowflake layers --step 6 --view 30,25 --explode 5 --shade --dpi 100
+view ship thickness --view 20,40 --thickness 0.8 --shade --shadow --dpi 100
 ./kiri animate examples/leaf_palmate.kiri --size 320x220 --fps 12 --speed 180 --hold 0.2 -o docs/pictures/leaf_film.gif

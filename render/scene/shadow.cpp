@@ -15,7 +15,7 @@
 namespace kiri {
 namespace {
 
-constexpr int kLights = 24;
+constexpr int kLights = 32;
 constexpr double kLampRadius = 0.08;  // of its distance: the softness
 constexpr double kDarkness = 0.34;    // of the full shadow
 
