@@ -77,16 +77,6 @@ Result<FilmOutput> outputOf(const AnimateOptions& options, const FilmOptions& fi
   return output;
 }
 
-Result<Timeline> timelineOf(Console& console, const ModelInput& input,
-                            const TimelineOptions& options) {
-  ProgressLine line(console, "folding");
-  Result<Timeline> timeline = Timeline::of(input.model, options, line.progress());
-  if (timeline.isOk() || timeline.error().code == ErrorCode::Cancelled) return timeline;
-  Error error = timeline.error();
-  error.message = input.name + ": " + error.message;
-  return error;
-}
-
 int shootAndWrite(Console& console, const ModelInput& input, const Timeline& timeline,
                   const AnimateOptions& options, const FilmOptions& filmOptions,
                   const FilmOutput& output) {
@@ -120,7 +110,6 @@ int run(Console& console, const AnimateOptions& options) {
   if (!line.isOk()) return fail(console, line.error(), kBadUsage);
   const Result<Timeline> timeline = timelineOf(console, *input, *line);
   if (!timeline.isOk()) return fail(console, timeline.error());
-  warnOfCollisions(console, *input, timeline->stateAfter(line->lastStep));
   return shootAndWrite(console, *input, *timeline, options, *film, *output);
 }
 

@@ -12,6 +12,20 @@ namespace kiri::cli {
 
 namespace {
 
+int write(Console& console, const std::string& path, const Exported& exported) {
+  const int written = writeResult(console, path, exported.text);
+  for (const std::string& loss : exported.losses) console.err << "note: " << loss << '\n';
+  return written;
+}
+
+int runMotion(Console& console, const ModelInput& input, const ExportOptions& options) {
+  const Result<TimelineOptions> time = timelineOptionsOf(options.time, input.model.steps.size());
+  if (!time.isOk()) return fail(console, time.error(), kBadUsage);
+  const Result<Exported> exported = exportedInMotion(console, input, *time, options);
+  if (!exported.isOk()) return fail(console, exported.error());
+  return write(console, options.out, *exported);
+}
+
 int run(Console& console, const ExportOptions& options) {
   const Result<std::string> format =
       chooseFormat(options.out, options.format, {"fold", "svg", "obj", "stl", "glb"});
@@ -20,6 +34,7 @@ int run(Console& console, const ExportOptions& options) {
   if (!usage.isOk()) return fail(console, usage.error(), kBadUsage);
   const Result<ModelInput> input = loadModel(console, options.model);
   if (!input.isOk()) return fail(console, input.error());
+  if (options.isAnimated) return runMotion(console, *input, options);
   const Result<StepChoice> moment = chooseStep(*input, options.step);
   if (!moment.isOk()) return fail(console, moment.error(), kBadUsage);
   const Result<Replay> replay = replayFirst(console, *input, moment->done);
@@ -33,9 +48,7 @@ int run(Console& console, const ExportOptions& options) {
     line.update(0);
     exported = exportedAs(console, *format, {*input, *replay, *moment, **state}, options);
   }
-  const int written = writeResult(console, options.out, exported.text);
-  for (const std::string& loss : exported.losses) console.err << "note: " << loss << '\n';
-  return written;
+  return write(console, options.out, exported);
 }
 
 }  // namespace
@@ -73,6 +86,9 @@ void addExportCommand(CLI::App& app, Console& console, int& code) {
       ->add_option("--thickness", options->thickness,
                    "obj, stl, glb: closed plates of so many mm (default 0; stl: 0.3)")
       ->type_name("MM");
+  command->add_flag("--animate", options->isAnimated,
+                    "glb: all steps in motion, for viewers that play animations");
+  addTimeOptions(*command, options->time);
   command->footer(
       "Examples:\n"
       "  kiri export leaf.kiri -o leaf.fold\n"
@@ -80,7 +96,8 @@ void addExportCommand(CLI::App& app, Console& console, int& code) {
       "  kiri export leaf.kiri --view pattern --as-folded -o pattern.fold\n"
       "  kiri export ship.kiri --layer-gap 0.1 --two-sided -o ship.obj\n"
       "  kiri export ship.kiri --thickness 0.4 -o ship.stl\n"
-      "  kiri export ship.kiri -o ship.glb");
+      "  kiri export ship.kiri -o ship.glb\n"
+      "  kiri export ship.kiri --animate -o ship_in_motion.glb");
   command->callback([&console, &code, options] { code = run(console, *options); });
 }
 

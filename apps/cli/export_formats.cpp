@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/cli/picture_options.h"
+#include "io/gltf_animation.h"
 #include "io/gltf_writer.h"
 #include "io/obj_writer.h"
 #include "io/steps_json.h"
@@ -113,11 +114,11 @@ GltfSide gltfSide(const SideLook& look) {
   return side;
 }
 
-Exported glbOf(Console& console, const ExportSource& source, const ExportOptions& options) {
+GltfOptions gltfOptionsOf(Console& console, const ModelInput& input, const ExportOptions& options) {
   GltfOptions gltf;
   gltf.generator = "KiriSim " KIRI_VERSION;
-  gltf.title = titleOf(source.input);
-  const Result<Appearance> appearance = appearanceFor(console, source.input, {});
+  gltf.title = titleOf(input);
+  const Result<Appearance> appearance = appearanceFor(console, input, {});
   if (appearance.isOk()) {
     gltf.sheet = appearance->textureBox;
     gltf.front = gltfSide(appearance->front);
@@ -126,7 +127,25 @@ Exported glbOf(Console& console, const ExportSource& source, const ExportOptions
   gltf.layerGap = options.layerGap.value_or(gltf.layerGap);
   gltf.thickness = options.thickness.value_or(gltf.thickness);
   gltf.isPattern = options.view == "pattern";
-  return writeGlb(source.state, gltf);
+  return gltf;
+}
+
+/// Mistakes about time.
+Status checkMotion(const ExportOptions& options, const std::string& format) {
+  const TimeOptions& time = options.time;
+  if (!options.isAnimated) {
+    if (!time.speed && !time.hold && time.steps.empty()) return std::monostate{};
+    return Error{ErrorCode::BadValue, "--speed, --ease, --hold and --steps go with --animate"};
+  }
+  if (format != "glb") return Error{ErrorCode::BadValue, "--animate goes with glb"};
+  if (options.step) {
+    return Error{ErrorCode::BadValue,
+                 "--animate shows all steps, or those of --steps; leave --step out"};
+  }
+  if (options.view == "pattern") {
+    return Error{ErrorCode::BadValue, "--animate shows the folded model, not the pattern"};
+  }
+  return checkTimeOptions(time);
 }
 
 }  // namespace
@@ -146,7 +165,8 @@ Status checkExport(const ExportOptions& options, const std::string& format) {
   if (options.isAsFolded && format == "fold" && options.view != "pattern") {
     return Error{ErrorCode::BadValue, "--as-folded goes with --view pattern"};
   }
-  return checkSolid(options, format);
+  const Status motion = checkMotion(options, format);
+  return motion.isOk() ? checkSolid(options, format) : motion;
 }
 
 Exported exportedAs(Console& console, const std::string& format, const ExportSource& source,
@@ -155,7 +175,16 @@ Exported exportedAs(Console& console, const std::string& format, const ExportSou
   if (format == "svg") return svgOf(source, options);
   if (format == "obj") return objOf(source, options);
   if (format == "stl") return stlOf(source, options);
-  return glbOf(console, source, options);
+  return writeGlb(source.state, gltfOptionsOf(console, source.input, options));
+}
+
+Result<Exported> exportedInMotion(Console& console, const ModelInput& input,
+                                  const TimelineOptions& time, const ExportOptions& options) {
+  const Result<Timeline> timeline = timelineOf(console, input, time);
+  if (!timeline.isOk()) return timeline.error();
+  const GltfOptions gltf = gltfOptionsOf(console, input, options);
+  ProgressLine line(console, "writing");
+  return writeAnimatedGlb(*timeline, gltf, line.progress());
 }
 
 }  // namespace kiri::cli

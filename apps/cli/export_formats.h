@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/cli/console.h"
+#include "apps/cli/film_options.h"
 #include "apps/cli/model_input.h"
 #include "io/fold_writer.h"
 
@@ -21,6 +22,8 @@ struct ExportOptions {
   bool isTwoSided = false;
   std::optional<double> layerGap;
   std::optional<double> thickness;
+  bool isAnimated = false;
+  TimeOptions time;
 };
 
 /// Mistakes that can be told before any work is done.
@@ -37,5 +40,9 @@ struct ExportSource {
 /// The bytes of the file in a format that checkExport let pass.
 Exported exportedAs(Console& console, const std::string& format, const ExportSource& source,
                     const ExportOptions& options);
+
+/// The process in motion as glTF. Errors: those of Timeline::of, naming the file; Cancelled.
+Result<Exported> exportedInMotion(Console& console, const ModelInput& input,
+                                  const TimelineOptions& time, const ExportOptions& options);
 
 }  // namespace kiri::cli

@@ -91,6 +91,19 @@ Result<TimelineOptions> timelineOptionsOf(const TimeOptions& options, std::size_
   return time;
 }
 
+Result<Timeline> timelineOf(Console& console, const ModelInput& input,
+                            const TimelineOptions& options) {
+  ProgressLine line(console, "folding");
+  Result<Timeline> timeline = Timeline::of(input.model, options, line.progress());
+  if (timeline.isOk()) {
+    warnOfCollisions(console, input, timeline->stateAfter(options.lastStep));
+    return timeline;
+  }
+  Error error = timeline.error();
+  if (error.code != ErrorCode::Cancelled) error.message = input.name + ": " + error.message;
+  return error;
+}
+
 Result<PixelSize> pixelSizeOf(const std::string& text) {
   constexpr double kLeast = 16;
   constexpr double kMost = 16384;

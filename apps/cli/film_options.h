@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/console.h"
+#include "apps/cli/model_input.h"
 #include "core/model/timeline.h"
 #include "render/film/film.h"
 
@@ -27,6 +29,11 @@ Status checkTimeOptions(const TimeOptions& options);
 
 /// What they mean for a model with so many steps. Errors: BadValue - steps that are not there.
 Result<TimelineOptions> timelineOptionsOf(const TimeOptions& options, std::size_t stepCount);
+
+/// The time line of a model, with progress; prints the collisions on the way. Errors: those of
+/// Timeline::of, naming the file.
+Result<Timeline> timelineOf(Console& console, const ModelInput& input,
+                            const TimelineOptions& options);
 
 /// Width and height of "640x480". Errors: BadValue.
 struct PixelSize {

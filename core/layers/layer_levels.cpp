@@ -175,9 +175,12 @@ std::vector<std::uint32_t> layerLevels(const FoldedState& state) {
 }
 
 std::vector<Rigid> spreadPoses(const FoldedState& state, double gap) {
+  return gap == 0 ? state.poses : spreadPoses(state, gap, layerLevels(state));
+}
+
+std::vector<Rigid> spreadPoses(const FoldedState& state, double gap,
+                               const std::vector<std::uint32_t>& levels) {
   std::vector<Rigid> out = state.poses;
-  if (gap == 0) return out;
-  const std::vector<std::uint32_t> levels = layerLevels(state);
   for (std::size_t f = 0; f < out.size(); ++f) {
     const Vec3 up = state.layers.sets()[state.layers.setOf(FacetId(f))].normal;
     out[f].origin = out[f].origin + up * (gap * levels[f]);

@@ -19,5 +19,8 @@ std::vector<std::uint32_t> layerLevels(const FoldedState& state);
 /// The poses of the facets with each layer lifted `gap` mm off the one below it, along the normal
 /// of its plane: for pictures and solids, never for geometry. Hinges are a little apart then.
 std::vector<Rigid> spreadPoses(const FoldedState& state, double gap);
+/// The same, for who has the levels already.
+std::vector<Rigid> spreadPoses(const FoldedState& state, double gap,
+                               const std::vector<std::uint32_t>& levels);
 
 }  // namespace kiri

@@ -105,6 +105,16 @@ class Gltf(unittest.TestCase):
         self.assertGreater(len(files), 20)
         self.check(*files)
 
+    def test_every_example_is_valid_in_motion(self):
+        files = []
+        for model in sorted((ROOT / "examples").glob("*.kiri")):
+            files.append(self.write(model.stem + ".glb", model, "--animate"))
+            files.append(self.write(model.stem + "_plates.glb", model, "--animate", "--thickness", "0.3", "--hold", "0",
+                                    "--ease", "none"))
+        self.check(*files)
+        for file, report in self.reports(*files).items():
+            self.assertEqual(report["info"]["animationCount"], 1, file)
+
     def test_textures_of_both_sides_are_in_the_file(self):
         (self.folder / "front.png").write_bytes(png(8, 8, 255))
         (self.folder / "back.png").write_bytes(png(4, 16, 100))

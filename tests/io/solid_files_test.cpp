@@ -11,6 +11,9 @@
 #include <vector>
 
 #include "core/model/apply.h"
+#include "io/facet_mesh.h"
+#include "io/facet_triangles.h"
+#include "io/gltf_animation.h"
 #include "io/gltf_meshes.h"
 #include "io/gltf_writer.h"
 #include "io/obj_writer.h"
@@ -225,6 +228,106 @@ TEST(Gltf, WithThicknessHoldsClosedPlates) {
     volume += volumeOf(trianglesOf(parts, material));
   }
   EXPECT_NEAR(volume, areaOf(state.pattern), 2e-3 * areaOf(state.pattern));
+}
+
+/// Points of the facets of a state in the model frame: the corners of their triangles.
+std::vector<Vec3> cornersOf(const FoldedState& state) {
+  std::vector<Vec3> out;
+  for (const FacetTriangles& facet : trianglesOf(state.pattern, meshOf(state.pattern))) {
+    for (const auto& triangle : facet.triangles) {
+      for (const std::uint32_t corner : triangle) {
+        out.push_back(state.poseOf(facet.facet).apply(facet.points[corner]));
+      }
+    }
+  }
+  return out;
+}
+
+/// The largest distance of one of `a` from the nearest of `b`.
+double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0;
+  for (const Vec3 p : a) {
+    double least = HUGE_VAL;
+    for (const Vec3 q : b) least = std::min(least, distance(p, q));
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+/// Holds the animation against the time line at many moments.
+void expectSameMotion(const Model& model, const TimelineOptions& time) {
+  const Result<Timeline> timeline = Timeline::of(model, time);
+  ASSERT_TRUE(timeline.isOk()) << timeline.error().message;
+  GltfOptions options;
+  options.layerGap = 0;
+  const Result<Exported> exported = writeAnimatedGlb(*timeline, options);
+  ASSERT_TRUE(exported.isOk());
+  const test::GlbFile file(exported->text);
+  EXPECT_NEAR(
+      file.duration(),
+      timeline->duration() - timeline->phases().back().end + timeline->phases().back().start, 2.0);
+  const double size = timeline->stateAfter(0).tolerance().sheetSize();
+  constexpr int kMoments = 60;
+  for (int i = 0; i <= kMoments; ++i) {
+    const double seconds = timeline->duration() * (i + 0.37) / (kMoments + 1);
+    const FoldedState state = timeline->stateAt(seconds);
+    const std::vector<test::GlbPart> parts = file.at(seconds);
+    EXPECT_EQ(parts.size(), state.pattern.facets.size()) << seconds << " s";
+    std::vector<Vec3> shown;
+    for (const Triangle& t : trianglesOf(parts, "front"))
+      shown.insert(shown.end(), t.begin(), t.end());
+    const std::vector<Vec3> real = cornersOf(state);
+    ASSERT_EQ(shown.size(), real.size()) << seconds << " s";
+    EXPECT_LT(apart(shown, real), kGltfMotionError * size) << seconds << " s";
+    EXPECT_LT(apart(real, shown), kGltfMotionError * size) << seconds << " s";
+  }
+}
+
+TEST(Gltf, InMotionShowsThePaperWhereItIsAtEveryMoment) {
+  expectSameMotion(test::modelOf("square 100\nfold a valley 50,0 50,100 left\n"
+                                 "cut m:0,5 m:101,5 @model keep 60,60\n"
+                                 "fold b valley m:50,30 m:100,50 @model left\nunfold all\n"
+                                 "turn vertical\nrefold a\nangle a 70"),
+                   {});
+  TimelineOptions even;
+  even.easing = Easing::None;
+  even.hold = 0;
+  expectSameMotion(test::modelOf("disc 80\nfold a valley 90 40,0 40,80 left\n"
+                                 "fold b mountain 10,0 10,80 left\nunfold b"),
+                   even);
+}
+
+TEST(Gltf, InMotionFollowsRandomModels) {
+  int models = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::Random random(seed);
+    Model model = test::randomSheet(random);
+    FoldedState state = test::startOf(model);
+    for (int i = 1; i <= 8; ++i) {
+      const Step step = test::randomStep(random, state, {});
+      const Result<FoldedState> next = apply(state, step, i);
+      if (!next.isOk()) continue;
+      state = *next;
+      model.steps.push_back(step);
+    }
+    if (model.steps.size() < 3) continue;
+    TimelineOptions time;
+    time.degreesPerSecond = 200;
+    SCOPED_TRACE(seed);
+    expectSameMotion(model, time);
+    ++models;
+  }
+  EXPECT_GT(models, 8);
+}
+
+TEST(Gltf, InMotionRestsWhereNothingMoves) {
+  const Result<Timeline> timeline = Timeline::of(test::modelOf("square 100"));
+  ASSERT_TRUE(timeline.isOk());
+  const test::GlbFile file(writeAnimatedGlb(*timeline, {})->text);
+  EXPECT_FALSE(file.document().contains("animations"));
+  EXPECT_EQ(file.at().size(), 1u);
+  const auto stop = [](double) { return false; };
+  EXPECT_EQ(writeAnimatedGlb(*timeline, {}, stop).error().code, ErrorCode::Cancelled);
 }
 
 TEST(Gltf, IsTheSameEveryTime) {

@@ -166,6 +166,10 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"export", file, "-o", path("o.stl"), "--two-sided"}, "--two-sided goes with obj"},
       {{"export", file, "-o", path("o.fold"), "--thickness", "1"}, "go with obj, stl and glb"},
       {{"export", file, "-o", path("o.stl"), "--thickness", "nan"}, "--thickness must lie between"},
+      {{"export", file, "-o", path("o.stl"), "--animate"}, "--animate goes with glb"},
+      {{"export", file, "-o", path("o.glb"), "--animate", "--step", "1"}, "leave --step out"},
+      {{"export", file, "-o", path("o.glb"), "--hold", "1"}, "go with --animate"},
+      {{"export", file, "-o", path("o.glb"), "--animate", "--steps", "4"}, "--steps 4 is not"},
       {{"export", file, "-o", path("o.glb"), "--as-folded"}, "--as-folded goes with fold and svg"},
       {{"export", file, "-o", path("o.obj"), "--layer-gap", "-1"}, "--layer-gap must lie between"},
       {{"export", file, "-o", path("o.fold"), "--view", "flat"}, "it takes folded or pattern"},
@@ -410,6 +414,8 @@ TEST_F(Cli, ExportsWhatOtherProgramsRead) {
   EXPECT_EQ(get("m.stl").size(), 84u + 50u * 2 * (2 + 2 + 8));
   ASSERT_EQ(kiri({"export", file, "-o", path("m.glb")}).code, kDone);
   EXPECT_EQ(get("m.glb").substr(0, 4), "glTF");
+  ASSERT_EQ(kiri({"export", file, "--animate", "-o", path("a.glb")}).code, kDone);
+  EXPECT_TRUE(holds(get("a.glb"), "\"animations\""));
 }
 
 }  // namespace
