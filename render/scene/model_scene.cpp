@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "render/scene/edge_on.h"
 #include "render/scene/page.h"
 #include "render/scene/paper_items.h"
 #include "render/scene/shadow.h"
@@ -13,17 +14,13 @@
 namespace kiri {
 namespace {
 
-/// The box of what is drawn; that of all paper when none of it is seen but edge-on.
+/// The box of what is drawn.
 Box boxOfPicture(const FoldedState& state, const ViewFrame& view, const VisibleRegions& regions) {
-  if (!regions.facets.empty() || state.pattern.facets.empty()) return boundsOf(regions);
-  Box box;
-  bool isFirst = true;
-  for (std::size_t i = 0; i < state.pattern.facets.size(); ++i) {
-    for (const EdgeUse use : state.pattern.facets[i].border) {
-      const Vec2 p = view.project(state.poses[i].apply(arcOf(state.pattern, use).start));
-      box = isFirst ? Box{p, p} : joined(box, {p, p});
-      isFirst = false;
-    }
+  Box box = boundsOf(regions);
+  bool isEmpty = regions.facets.empty();
+  for (const SeenArc& line : edgeOnBorders(state, view)) {
+    box = isEmpty ? boundsOf(line.arc) : joined(box, boundsOf(line.arc));
+    isEmpty = false;
   }
   return box;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "render/scene/edge_on.h"
 #include "render/scene/line_looks.h"
 #include "render/scene/seen_texture.h"
 #include "render/scene/silhouette.h"
@@ -106,7 +107,12 @@ class PaperItems {
   Group lines(SeamKind kind, const Stroke& stroke, const char* name) const {
     StrokeItem item;
     item.stroke = stroke;
-    if (kind == SeamKind::Edge) item.chains = slits();
+    if (kind == SeamKind::Edge) {
+      item.chains = slits();
+      for (const Arc& arc : edgeOnLines(state_, regions_, view_)) {
+        item.chains.push_back({inScene(arc)});
+      }
+    }
     for (const VisibleFacet& facet : regions_.facets) {
       for (const auto& loop : facet.loops) {
         bool goesOn = false;

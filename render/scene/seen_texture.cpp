@@ -19,24 +19,6 @@ Affine inverse(const Affine& m) {
           (m.b * m.e - m.a * m.f) / det};
 }
 
-/// Where the line of sight through a point of the view meets the plane of a facet, paper frame.
-class Sight {
- public:
-  Sight(const Rigid& pose, const ViewFrame& view)
-      : pose_(pose), view_(view), ahead_(dot(pose.normal(), pose.origin - view.eye())) {}
-
-  Vec2 onPaper(Vec2 p) const {
-    const Vec2 aside = p - view_.direction(view_.centre);
-    const Vec3 ray = view_.right * aside.x + view_.up * aside.y - view_.toEye * view_.eyeDistance;
-    return pose_.pullBack(view_.eye() + ray * (ahead_ / dot(pose_.normal(), ray)));
-  }
-
- private:
-  const Rigid& pose_;
-  const ViewFrame& view_;
-  double ahead_;
-};
-
 /// The colour at a place given in pixels, y down, between the four pixels around it.
 std::array<std::uint8_t, 4> sampled(const Image& image, Vec2 at) {
   const auto pixel = [&](int x, int y) {
@@ -84,12 +66,12 @@ std::shared_ptr<const Image> seenTexture(const Image& texture, const Affine& ima
   out->rgba.reserve(static_cast<std::size_t>(out->width) * static_cast<std::size_t>(out->height) *
                     4);
   const Affine paperToImage = inverse(imageToPaper);
-  const Sight sight(pose, view);
   for (int row = 0; row < out->height; ++row) {
     for (int column = 0; column < out->width; ++column) {
       const Vec2 p{box.low.x + size.x * (column + 0.5) / out->width,
                    box.high.y - size.y * (row + 0.5) / out->height};
-      const Vec2 unit = paperToImage.apply(sight.onPaper(p));
+      const Vec2 unit =
+          paperToImage.apply(pose.pullBack(view.onPlane(p, pose.origin, pose.normal())));
       for (const std::uint8_t c :
            sampled(texture, {unit.x * texture.width, (1 - unit.y) * texture.height})) {
         out->rgba.push_back(c);

@@ -51,6 +51,11 @@ Region FacetView::region() const {
   return out;
 }
 
+bool isEdgeOn(const Rigid& pose, const ViewFrame& view, const Tolerance& tolerance) {
+  const double towards = view.facing(pose.normal(), pose.origin);
+  return std::abs(towards) * tolerance.sheetSize() < tolerance.pick();
+}
+
 double FacetView::onEdge(std::uint32_t arc, double t) const {
   if (!sources.empty()) t = sources[arc].onPaper(t);
   return uses[arc].isReversed ? 1 - t : t;
@@ -91,9 +96,8 @@ void FacetViews::addSet(std::uint32_t set) {
 
 void FacetViews::add(FacetId facet, std::uint32_t rank) {
   const Rigid& pose = state_.poseOf(facet);
+  if (isEdgeOn(pose, frame_, tolerance())) return;
   const double towards = frame_.facing(pose.normal(), pose.origin);
-  // Seen edge-on: narrower than any line, and its depth would be all rounding.
-  if (std::abs(towards) * tolerance().sheetSize() < tolerance().pick()) return;
   FacetView out;
   out.id = facet;
   out.showsFront = towards > 0;

@@ -15,6 +15,9 @@
 
 namespace kiri {
 
+/// True when a facet is seen edge-on: narrower than any line, and its depth would be all rounding.
+bool isEdgeOn(const Rigid& pose, const ViewFrame& view, const Tolerance& tolerance);
+
 /// A facet in view coordinates. Arcs run with the paper on their left, whichever side of it is
 /// seen.
 struct FacetView {

@@ -35,13 +35,10 @@ std::vector<PlaneRegions> planeRegions(const FoldedState& state) {
 }
 
 Region onPaper(const FoldedState& state, const VisibleFacet& part, const ViewFrame& view) {
-  KIRI_CHECK(!view.isPerspective(), "views in perspective have their own way back to the paper");
+  KIRI_CHECK(!view.isPerspective(), "in perspective a cubic of the view is none on the paper");
   const Rigid& pose = state.poseOf(part.facet);
-  const double towards = view.facing(pose.normal(), pose.origin);
   const auto back = [&](Vec2 p) {
-    const Vec3 onView = view.right * p.x + view.up * p.y;
-    const double depth = dot(pose.normal(), pose.origin - onView) / towards;
-    return pose.pullBack(onView + view.toEye * depth);
+    return pose.pullBack(view.onPlane(p, pose.origin, pose.normal()));
   };
   Region out;
   for (const auto& loop : part.loops) {

@@ -35,6 +35,8 @@ struct ViewFrame {
   constexpr double depth(Vec3 p) const {
     return isPerspective() ? dot(p - centre, toEye) * enlargement(p) : dot(p, toEye);
   }
+  /// Where the line of sight through a point of the view meets a plane that is not seen edge-on.
+  Vec3 onPlane(Vec2 p, Vec3 point, Vec3 normal) const;
   /// Positive when a plane through `p` turns this unit normal to the eye; 1 when it turns it
   /// straight there.
   constexpr double facing(Vec3 normal, Vec3 p) const {

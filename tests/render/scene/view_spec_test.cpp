@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/scene/model_scene.h"
 #include "tests/support/model_text.h"
@@ -126,6 +127,51 @@ TEST(ViewSpec, TextureInPerspectiveLiesOnThePaper) {
     }
   }
   EXPECT_EQ(asked, 4);
+}
+
+std::vector<Arc> edgesOf(const Scene& scene) {
+  std::vector<Arc> out;
+  for (const Group& group : scene.groups) {
+    if (group.id != "edges") continue;
+    for (const auto& chain : std::get<StrokeItem>(group.items.front().shape).chains) {
+      out.insert(out.end(), chain.begin(), chain.end());
+    }
+  }
+  return out;
+}
+
+TEST(ViewSpec, FlatSheetSeenEdgeOnIsALine) {
+  const Scene scene = *modelScene(test::run("square 100"), {}, ViewSpec{0, 0});
+  EXPECT_NEAR(scene.width, 110, 1e-9);
+  EXPECT_NEAR(scene.height, 10, 1e-9);
+  const std::vector<Arc> edges = edgesOf(scene);
+  ASSERT_FALSE(edges.empty());
+  for (const Arc& edge : edges) EXPECT_NEAR(distance(edge.start, edge.end), 100, 1e-9);
+}
+
+TEST(ViewSpec, EdgeOnPaperIsDrawnWhereNothingHidesIt) {
+  // A wall 50 mm wide and 100 mm high, and half way up a shelf that sticks out beside it.
+  for (const bool isShelfBehind : {true, false}) {
+    FoldedState state = test::run("square 100; cut 50,0 50,100");
+    ASSERT_EQ(state.poses.size(), 2U);
+    const std::size_t left = facetAt(state.pattern, {25, 50})->index;
+    state.poses[left] = rotationAbout({0, 0, 0}, {1, 0, 0}, 90);
+    state.poses[1 - left] = translation({-30, isShelfBehind ? 1.0 : -101.0, 50});
+    std::vector<LayerSet> sets;
+    for (std::size_t f = 0; f < 2; ++f) sets.push_back({state.poses[f].normal(), {FacetId(f)}, {}});
+    state.layers = LayerOrder(std::move(sets));
+    const Scene scene = *modelScene(state, {}, ViewSpec{0, 0});
+    double longest = 0;
+    double rightmost = 0;
+    for (const Arc& edge : edgesOf(scene)) {
+      if (std::abs(edge.start.y - 55) > 1e-9 || std::abs(edge.end.y - 55) > 1e-9) continue;
+      longest = std::max(longest, distance(edge.start, edge.end));
+      rightmost = std::max({rightmost, edge.start.x, edge.end.x});
+    }
+    EXPECT_NEAR(longest, isShelfBehind ? 20 : 30, 1e-6) << "beside the wall, or before it too";
+    EXPECT_NEAR(rightmost, 5 + 70, 1e-6);
+    EXPECT_NEAR(scene.width, 80, 1e-9);
+  }
 }
 
 TEST(ViewSpec, PagesWithOneBoxHaveOneSizeAndThePaperAtItsPlace) {
