@@ -311,5 +311,44 @@ TEST(NumberText, IsShortAndExactToItsDecimals) {
   EXPECT_EQ(numberText(0.000001, 6), "0.000001");
 }
 
+TEST(Png, ShadowIsAsDarkAsTheSumOfItsFills) {
+  ViewSpec spec{20, 40};
+  spec.hasShadow = true;
+  Scene scene = *modelScene(test::run("square 100; fold valley 90 50,0 50,100 left"), {}, spec);
+  scene.background = Color{255, 255, 255};
+  std::vector<Region> fills;
+  std::vector<Region> paper;
+  double light = 255;
+  for (const Group& group : scene.groups) {
+    if (group.id != "shadow" && group.id != "paper") continue;
+    for (const Item& item : group.items) {
+      const FillItem& fill = std::get<FillItem>(item.shape);
+      (group.id == "shadow" ? fills : paper).push_back({fill.loops});
+      if (group.id == "shadow") light *= 1 - fill.fill.opacity;
+    }
+  }
+  const Image image = *decodePng(*writePng(scene, {50}));
+  const double pixel = scene.width / image.width;
+  int asked = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const Vec2 middle{(x + 0.5) * pixel, scene.height - (y + 0.5) * pixel};
+      const auto holds = [&](const Region& region) {
+        return locate(region, middle, 2 * pixel) == Where::Inside;
+      };
+      const auto misses = [&](const Region& region) {
+        return locate(region, middle, 2 * pixel) == Where::Outside;
+      };
+      if (!std::all_of(fills.begin(), fills.end(), holds)) continue;
+      if (!std::all_of(paper.begin(), paper.end(), misses)) continue;
+      const std::size_t at = static_cast<std::size_t>(y * image.width + x) * 4;
+      EXPECT_NEAR(image.rgba[at], light, 4);
+      EXPECT_EQ(image.rgba[at], image.rgba[at + 2]) << "grey";
+      ++asked;
+    }
+  }
+  EXPECT_GT(asked, 100);
+}
+
 }  // namespace
 }  // namespace kiri
