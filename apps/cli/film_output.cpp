@@ -117,8 +117,9 @@ int writeFilm(Console& console, const Film& film, const FilmOutput& output) {
       output.path, {formatOf(output.format), output.width, output.height, output.framesPerSecond});
   if (!encoder.isOk()) return failFilm(console, encoder.error());
   ProgressLine line(console, "filming");
+  const Progress stop = [&](double) { return !isCancelled(console); };
   const Status shot = shoot(
-      film, [&](const Image& frame, std::size_t times) { return encoder->add(frame, times); },
+      film, [&](const Image& frame, std::size_t times) { return encoder->add(frame, times, stop); },
       line.progress());
   if (!shot.isOk()) return failFilm(console, shot.error());
   const Status finished = encoder->finish(line.progress());

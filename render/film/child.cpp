@@ -7,6 +7,7 @@
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -66,6 +67,9 @@ Result<Child> Child::start(const std::vector<std::string>& words) {
   // signal.
   int ends[2] = {-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return fail(errno);
+  constexpr suseconds_t kPatience = 200000;
+  const timeval patience{0, kPatience};
+  ::setsockopt(ends[1], SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
   const int said = ::memfd_create("said", MFD_CLOEXEC);
   if (said < 0) {
     const int code = errno;
@@ -122,11 +126,16 @@ void Child::kill() {
   process_ = -1;
 }
 
-Status Child::send(const void* bytes, std::size_t count) {
+Status Child::send(const void* bytes, std::size_t count, const Progress& progress) {
   const char* at = static_cast<const char*>(bytes);
   while (count > 0) {
     const ssize_t sent = ::send(input_, at, count, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
+    const bool isSlow = sent < 0 && (errno == EINTR || errno == EAGAIN || errno == EWOULDBLOCK);
+    if (isSlow && !goesOn(progress, 1)) {
+      kill();
+      return Error{ErrorCode::Cancelled, "stopped", {}};
+    }
+    if (isSlow) continue;
     if (sent <= 0) {
       const Status end = finish();
       return end.isOk() ? Error{ErrorCode::Unwritable, name_ + " stopped before the end", {}}

@@ -26,9 +26,10 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();
 
-  /// Sends bytes to its standard input; waits until they are taken. Errors: Unwritable - it stopped
-  /// reading; the message ends with what it said last.
-  Status send(const void* bytes, std::size_t count);
+  /// Sends bytes to its standard input; waits until they are taken, asking `progress` now and then
+  /// whether to go on. Errors: Unwritable - it stopped reading; the message ends with what it said
+  /// last; Cancelled - it was ended.
+  Status send(const void* bytes, std::size_t count, const Progress& progress = {});
   /// Closes its standard input and waits for its end, asking `progress` now and then whether to go
   /// on. Errors: Unwritable - it failed, with what it said last; Cancelled - it was ended.
   Status finish(const Progress& progress = {});

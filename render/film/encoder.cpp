@@ -216,12 +216,12 @@ Result<Encoder> Encoder::start(const std::string& path, const EncoderOptions& op
   return Encoder(std::move(workshop));
 }
 
-Status Encoder::add(const Image& frame, std::size_t times) {
+Status Encoder::add(const Image& frame, std::size_t times, const Progress& progress) {
   const EncoderOptions& options = workshop_->options;
   KIRI_CHECK(frame.width == options.width && frame.height == options.height,
              "frames have the size of the film");
   for (std::size_t i = 0; i < times; ++i) {
-    const Status sent = workshop_->child->send(frame.rgba.data(), frame.rgba.size());
+    const Status sent = workshop_->child->send(frame.rgba.data(), frame.rgba.size(), progress);
     if (!sent.isOk()) return sent;
   }
   return std::monostate{};

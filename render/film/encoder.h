@@ -41,8 +41,8 @@ class Encoder {
   ~Encoder();
 
   /// Appends a frame of the film's size, `times` times. Errors: Unwritable - ffmpeg failed, with
-  /// what it said.
-  Status add(const Image& frame, std::size_t times = 1);
+  /// what it said; Cancelled - `progress`, asked while ffmpeg is busy, said so.
+  Status add(const Image& frame, std::size_t times = 1, const Progress& progress = {});
   /// Completes the film and puts it in its place. Errors: as add; Cancelled.
   Status finish(const Progress& progress = {});
 

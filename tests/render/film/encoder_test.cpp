@@ -196,6 +196,17 @@ TEST_F(EncoderTest, StopsFfmpegAndLeavesNothingWhenItIsNotWantedAnyMore) {
   if (std::getline(number, process)) EXPECT_FALSE(fs::exists("/proc/" + process));
 }
 
+TEST_F(EncoderTest, StopsWhileFfmpegTakesNothing) {
+  standIn("exec sleep 60");
+  Result<Encoder> encoder = Encoder::start(path("a.mp4"), {FilmFormat::Mp4, 64, 48, 25});
+  ASSERT_TRUE(encoder.isOk());
+  int asked = 0;
+  const Status status = encoder->add(frame(0), 1000, [&](double) { return ++asked < 3; });
+  ASSERT_FALSE(status.isOk());
+  EXPECT_EQ(status.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(asked, 3);
+}
+
 TEST_F(EncoderTest, RefusesPlacesAndSizesBeforeAnyWork) {
   EXPECT_EQ(Encoder::start(path("no/such/a.gif"), {}).error().code, ErrorCode::Unwritable);
   EXPECT_EQ(Encoder::start(path(""), {}).error().code, ErrorCode::Unwritable);
