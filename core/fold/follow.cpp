@@ -6,6 +6,7 @@
 
 #include "core/fold/fold_line.h"
 #include "core/fold/movement.h"
+#include "core/fold/path_check.h"
 
 namespace kiri {
 namespace {
@@ -105,6 +106,7 @@ std::optional<Followed> follow(const FoldedState& state, FoldLineId line, double
     const std::optional<double> now = amountOf(end, FoldLineId(i));
     if (now && *now != 0 && now != amountOf(state, FoldLineId(i))) end.lines[i].foldedAmount = *now;
   }
+  notePathCollisions(movementAlong(state, path, end), line, end);
   const double reached = end.pattern[leader].sign * end.pattern[leader].angle;
   return Followed{path, std::move(end), reached};
 }

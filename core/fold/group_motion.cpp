@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/fold/fold_line.h"
+#include "core/fold/path_check.h"
 
 namespace kiri {
 namespace {
@@ -144,6 +145,7 @@ Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wan
     for (const auto& [line, amount] : wanted) {
       if (amount != 0) opened.lines[line.index].foldedAmount = amount;
     }
+    notePathCollisions(movementAlong(start, path, opened), wanted.front().first, opened);
     end = std::move(opened);
   }
   if (record != nullptr) record->push_back(movementAlong(start, path, *end));

@@ -114,6 +114,12 @@ FoldedState stateDuring(const Movement& movement, double part) {
                     movement.how);
 }
 
+FoldedState posedDuring(const Movement& movement, double part) {
+  FoldedState state = *movement.start;
+  state.poses = posesDuring(std::get<Unfolding>(movement.how), state.pattern, part);
+  return state;
+}
+
 Movement movementAlong(const FoldedState& start, std::shared_ptr<const RigidPath> path,
                        const FoldedState& end) {
   Unfolding how{std::move(path), start.rests, {}};

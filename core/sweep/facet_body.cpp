@@ -147,6 +147,19 @@ bool Patch::covers(Vec3 p, double slack) const {
   return true;
 }
 
+std::optional<Vec3> piercing(const Patch& a, const Patch& b, double reach) {
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const Vec3 p = a.points[i];
+    const Vec3 q = a.points[i + 1 < a.points.size() ? i + 1 : 0];
+    const double hp = b.heightOf(p);
+    const double hq = b.heightOf(q);
+    if ((hp < 0) == (hq < 0)) continue;
+    const Vec3 place = p + (q - p) * (hp / (hp - hq));
+    if (b.covers(place, reach)) return place;
+  }
+  return std::nullopt;
+}
+
 Body bodyOf(const FoldedState& state, const std::vector<bool>& moves, const AxisFrame& frame,
             FacetId facet) {
   const CreasePattern& pattern = state.pattern;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/paper/folded_state.h"
@@ -24,6 +25,9 @@ struct Patch {
   /// Whether a point of the plane lies inside or within `slack` of it.
   bool covers(Vec3 p, double slack) const;
 };
+
+/// Where a side of one patch runs through another, or within `reach` of it.
+std::optional<Vec3> piercing(const Patch& a, const Patch& b, double reach);
 
 /// How a facet lies to the axis.
 enum class Stance {

@@ -57,20 +57,6 @@ bool doAzimuthsMeet(const Body& m, const Body& f, double turn) {
   return ahead <= m.width + turn + 2 * kAzimuthSlack || behind <= f.width + 2 * kAzimuthSlack;
 }
 
-/// Where a side of one patch runs through the other, or within `reach` of it.
-std::optional<Vec3> piercing(const Patch& a, const Patch& b, double reach) {
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    const Vec3 p = a.points[i];
-    const Vec3 q = a.points[i + 1 < a.points.size() ? i + 1 : 0];
-    const double hp = b.heightOf(p);
-    const double hq = b.heightOf(q);
-    if ((hp < 0) == (hq < 0)) continue;
-    const Vec3 place = p + (q - p) * (hp / (hp - hq));
-    if (b.covers(place, reach)) return place;
-  }
-  return std::nullopt;
-}
-
 Patch turned(const Patch& patch, Turn turn) {
   Patch result = patch;
   for (Vec3& p : result.points) p = turn.apply(p);
