@@ -45,7 +45,12 @@ Status check(const RenderOptions& options) {
   if (options.isLinesOnly && !showsPattern(options)) {
     return Error{ErrorCode::BadValue, "--lines-only goes with --view pattern"};
   }
-  if (showsPattern(options)) return std::monostate{};
+  if (showsPattern(options)) {
+    if (!asksForSpace(options.view)) return std::monostate{};
+    return Error{ErrorCode::BadValue,
+                 "--perspective, --explode, --thickness, --shade and --shadow go with views of the "
+                 "folded model, not with --view pattern"};
+  }
   const Result<ViewSpec> spec = viewSpecOf(options.view, kPattern);
   if (!spec.isOk()) return spec.error();
   return std::monostate{};

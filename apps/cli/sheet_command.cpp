@@ -85,8 +85,9 @@ int run(Console& console, const SheetOptions& options) {
   if (!replay.isOk()) return fail(console, replay.error());
   const Status status = lookAtSteps(console, *input, *replay, last);
   if (!status.isOk()) return fail(console, status.error());
-  const Result<Appearance> appearance = appearanceFor(console, *input, options.picture);
+  Result<Appearance> appearance = appearanceFor(console, *input, options.picture);
   if (!appearance.isOk()) return fail(console, appearance.error());
+  appearance->isShaded = spec->isShaded;
   const auto draw = [&] {
     ProgressLine line(console, "drawing");
     line.update(0);
@@ -109,6 +110,7 @@ void addSheetCommand(CLI::App& app, Console& console, int& code) {
                    "which panels, by their numbers, like first,3-5,last (default: all)")
       ->type_name("LIST");
   addViewOption(*command, options->view);
+  command->add_flag("--shade", options->view.isShaded, "facets turned away look darker");
   command->add_option("--columns", options->columns, "panels in a row (default: as fits)")
       ->type_name("N");
   command->add_option("--width", options->width, "mm of the page (default 210)")->type_name("MM");

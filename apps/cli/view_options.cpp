@@ -52,6 +52,11 @@ void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& 
   command.add_flag("--shadow", options.hasShadow, "a soft shadow on the table below the model");
 }
 
+bool asksForSpace(const ViewOptions& options) {
+  return options.perspective != 0 || options.explode != 0 || options.thickness != 0 ||
+         options.isShaded || options.hasShadow;
+}
+
 Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& others) {
   ViewSpec spec = frontSpec();
   if (options.view == "back") {

@@ -25,6 +25,9 @@ void addViewOption(CLI::App& command, ViewOptions& options, const std::string& o
 /// Declares --view and all that helps to read folds in space.
 void addViewOptions(CLI::App& command, ViewOptions& options, const std::string& others = "");
 
+/// True when one of the options other than --view is set.
+bool asksForSpace(const ViewOptions& options);
+
 /// What the options ask for; `options.view` is not one of the `others`. Errors: BadValue - words
 /// and numbers that mean nothing; the sentence names the option.
 Result<ViewSpec> viewSpecOf(const ViewOptions& options, const std::string& others = "");

@@ -42,10 +42,9 @@ Result<ViewFrame> frameFor(const FoldedState& state, const ViewSpec& spec,
                            const ModelSceneOptions& options) {
   const Sphere own = sphereOf(state, spec);
   const Sphere sphere = options.sphere.value_or(own);
-  const Result<ViewFrame> view = frameOf(spec, sphere);
+  Result<ViewFrame> view = frameOf(spec, sphere);
   if (!view || !view->isPerspective()) return view;
-  const double away = distance(view->eye(), own.centre);
-  const Result<ViewFrame> isOutside = withEye(*view, own, away);
+  Result<ViewFrame> isOutside = withEye(*view, own, distance(view->eye(), own.centre));
   return isOutside ? view : isOutside;
 }
 

@@ -152,6 +152,8 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
        "the gap between exploded layers must lie between 0 and 1000 mm"},
       {{"render", file, "-o", out, "--thickness", "nan"},
        "the thickness of the paper must lie between 0 and 1000 mm"},
+      {{"render", file, "-o", out, "--view", "pattern", "--shade"},
+       "go with views of the folded model, not with --view pattern"},
       {{"sheet", file, "-o", out, "--perspective", "30"}, "there is no option --perspective"},
       {{"sheet", file, "-o", out, "--columns", "-1"}, "--columns must lie between"},
       {{"sheet", file, "-o", out, "--width", "1"}, "--width must lie between"},
@@ -316,7 +318,7 @@ TEST_F(Cli, WritesEveryPicture) {
                 .code,
             kDone);
   EXPECT_TRUE(holds(get("f.svg"), "fill-opacity"));
-  EXPECT_EQ(kiri({"sheet", file, "--view", "-30,40", "-o", path("e.png")}).code, kDone);
+  EXPECT_EQ(kiri({"sheet", file, "--view", "-30,40", "--shade", "-o", path("e.png")}).code, kDone);
   EXPECT_EQ(kiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
             kDone);
   EXPECT_EQ(kiri({"sheet", file, "--columns", "1", "--style", "diagram", "-o", path("d.svg")}).code,
