@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "tests/support/crossing_check.h"
 #include "tests/support/order_check.h"
 #include "tests/support/plane_overlap.h"
 
@@ -312,6 +313,7 @@ std::vector<std::string> violationsOf(const FoldedState& state) {
   checkLines(state, found);
   for (std::string& sentence : poseViolations(state)) found.push_back(std::move(sentence));
   for (std::string& sentence : orderViolations(state)) found.push_back(std::move(sentence));
+  for (std::string& sentence : crossingViolations(state)) found.push_back(std::move(sentence));
   return found;
 }
 

@@ -19,7 +19,8 @@ std::vector<std::string> patternViolations(const CreasePattern& pattern);
 /// facets in the model frame, walking the pieces depth first.
 std::vector<std::string> poseViolations(const FoldedState& state);
 
-/// Pattern, poses, layer order, and the lists beside them (lines, rests).
+/// Pattern, poses, layer order, paper that stands in paper, and the lists beside them (lines,
+/// rests).
 std::vector<std::string> violationsOf(const FoldedState& state);
 
 /// The largest distance between the two images of a hinge's end, mm, found from the poses as they

@@ -6,6 +6,7 @@
 
 #include "core/model/apply.h"
 #include "core/model/replay.h"
+#include "tests/support/crossing_check.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
 #include "tests/support/order_check.h"
@@ -86,7 +87,8 @@ TEST_P(RandomSteps, KeepLayersRightWhileNothingCollides) {
   options.facetLimit = 24;
   grow(seed, 60, options, [seed](const Model& model, const FoldedState&, const FoldedState& state) {
     if (!state.collisions.empty()) return false;
-    const std::vector<std::string> found = orderViolations(state);
+    std::vector<std::string> found = orderViolations(state);
+    for (std::string& sentence : crossingViolations(state)) found.push_back(std::move(sentence));
     if (!found.empty()) ADD_FAILURE() << trace(seed, model) << joined(found);
     return found.empty();
   });

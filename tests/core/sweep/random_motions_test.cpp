@@ -7,9 +7,12 @@
 
 #include "core/model/apply.h"
 #include "core/sweep/sweep.h"
+#include "tests/support/crossing_check.h"
 #include "tests/support/model_text.h"
 #include "tests/support/motion_check.h"
+#include "tests/support/order_check.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/state_check.h"
 
 namespace kiri::test {
 namespace {
@@ -67,7 +70,45 @@ std::string compare(const FoldedState& state, const LineMotion& how, Tally& tall
          ", but nothing crosses there";
 }
 
-TEST(RandomMotions, HaveTheVerdictOfDenseSampling) {
+/// By how much distances between corners of a facet differ in space from those on the sheet.
+double changeOfSize(const FoldedState& state) {
+  double worst = 0;
+  for (std::size_t f = 0; f < state.pattern.facets.size(); ++f) {
+    const std::vector<EdgeUse>& border = state.pattern.facets[f].border;
+    const Vec2 first = state.pattern[startOf(state.pattern, border.front())];
+    for (const EdgeUse use : border) {
+      const Vec2 a = state.pattern[startOf(state.pattern, use)];
+      for (const Vec2 b : {first, state.pattern[endOf(state.pattern, use)]}) {
+        const double folded = distance(state.poses[f].apply(a), state.poses[f].apply(b));
+        worst = std::max(worst, std::abs(folded - distance(a, b)));
+      }
+    }
+  }
+  return worst;
+}
+
+/// What is wrong with the states on the way and at the end of a motion.
+std::string follow(const FoldedState& state, const std::string& line, double amount) {
+  AngleStep angle;
+  angle.line = line;
+  angle.angle = amount;
+  Step step;
+  step.action = angle;
+  Movements movements;
+  const Result<FoldedState> end = apply(state, step, 1, &movements);
+  if (!end) return "";
+  for (const Movement& movement : movements) {
+    for (const double part : {0.3, 0.7, 1.0}) {
+      const FoldedState now = stateDuring(movement, part);
+      if (changeOfSize(now) > 1e-9) return "a facet changed its size";
+      if (hingeGap(now) > 1e-9 * state.tolerance().sheetSize()) return "the paper was stretched";
+    }
+  }
+  if (end->collisions.size() > state.collisions.size()) return "";
+  return joined(orderViolations(*end)) + joined(crossingViolations(*end));
+}
+
+TEST(RandomMotions, HaveTheVerdictOfDenseSamplingAndKeepThePaperWhole) {
   Tally tally;
   int motions = 0;
   for (std::uint64_t seed = 1; motions < kMotions; ++seed) {
@@ -90,7 +131,7 @@ TEST(RandomMotions, HaveTheVerdictOfDenseSampling) {
       try {
         const LineMotion how = motionTo(state, line, amount);
         if (how.motion.degrees == 0) continue;
-        wrong = compare(state, how, tally);
+        wrong = compare(state, how, tally) + follow(state, line, amount);
       } catch (const std::runtime_error&) {
         continue;
       }
