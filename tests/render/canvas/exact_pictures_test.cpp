@@ -84,8 +84,8 @@ std::vector<bool> edgePixels(const VisibleRegions& regions, const Box& box, int 
         const int steps = 8 + static_cast<int>(16 * lengthOf(piece.arc, pixel) / pixel);
         for (int i = 0; i <= steps; ++i) {
           const Vec2 p = pointAt(piece.arc, 1.0 * i / steps);
-          for (const double dx : {-0.1, 0.1}) {
-            for (const double dy : {-0.1, 0.1}) mark(p + Vec2{dx, dy} * pixel);
+          for (const double dx : {-0.2, 0.2}) {
+            for (const double dy : {-0.2, 0.2}) mark(p + Vec2{dx, dy} * pixel);
           }
         }
       }
