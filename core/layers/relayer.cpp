@@ -94,6 +94,10 @@ class Relayering {
     std::vector<LayerSet> moving;
     std::vector<LayerSet> fixed;
     for (const LayerSet& set : state_.layers.sets()) {
+      if (slides(set)) {
+        fixed.push_back(set);
+        continue;
+      }
       Parted parted = part(set, moves_);
       if (!parted.moving.upward.empty() && !parted.fixed.upward.empty()) checkStart(set, parted);
       if (!parted.fixed.upward.empty()) fixed.push_back(std::move(parted.fixed));
@@ -117,6 +121,11 @@ class Relayering {
   }
 
  private:
+  /// A set across the axis turns within its plane: its layers neither rise nor sink.
+  bool slides(const LayerSet& set) const {
+    return length(cross(set.normal, motion_.axis)) <= kSamePlane;
+  }
+
   /// The set with the normal that the motion gives it.
   LayerSet carried(LayerSet set) const {
     const FacetId first = set.upward.front();
@@ -220,7 +229,8 @@ class Relayering {
   /// Where paper stands on a plane, more is to be looked at than what lands on what: it must not
   /// pierce layers, nor other paper that stands or is folded along the same line.
   void checkStanding(const LayerOrder& order, std::size_t set) {
-    if (standingOn(state_.pattern, after_, order.sets()[set]).empty()) return;
+    const LayerSet& layers = order.sets()[set];
+    if (!slides(layers) && standingOn(state_.pattern, after_, layers).empty()) return;
     const ConflictScope scope{moves_, kMostContacts};
     for (const HingeConflict& found : hingeConflicts(state_.pattern, after_, order, set, scope)) {
       FacetId moving;

@@ -7,6 +7,7 @@
 #include "core/sweep/found.h"
 #include "core/sweep/pages.h"
 #include "core/sweep/pairs.h"
+#include "core/sweep/slides.h"
 #include "core/sweep/turn.h"
 
 namespace kiri {
@@ -44,8 +45,10 @@ SweepReport sweep(const FoldedState& state, const std::vector<bool>& moves, cons
   if (moving.empty() || resting.empty()) return {};
   FirstFound found;
   meetPages(state, moving, resting, frame, found);
-  if (!areAllPages(moving) || !areAllPages(resting))
+  if (!areAllPages(moving) || !areAllPages(resting)) {
     meetPairs(state, moves, moving, resting, frame, found);
+    meetSlides(state, moves, moving, resting, frame, found);
+  }
   return found.best() ? reported(*found.best(), frame, motion) : SweepReport{};
 }
 

@@ -103,5 +103,29 @@ TEST(Sweep, AWallThatLeansInCollidesWithItsNeighbour) {
   EXPECT_NEAR(std::abs(report.degrees) + 1, 90, 1);
 }
 
+TEST(Sweep, ArmsOfACrossStandUpBesideEachOther) {
+  const FoldedState state =
+      run("polygon 20,0 40,0 40,20 60,20 60,40 40,40 40,60 20,60 20,40 0,40 0,20 20,20;"
+          "fold E valley 90 40,20 40,40 right; fold N valley 1 40,40 20,40 right");
+  EXPECT_EQ(sweepTo(state, "N", 120).verdict, SweepVerdict::Free);
+  EXPECT_EQ(sweepTo(state, "N", 179).verdict, SweepVerdict::Free);
+}
+
+// A wall on the line x = 50 with an upright crease B at y = 50. Beyond B the paper on the ground is
+// torn from the rest of it and turns with the wall, within the plane of the ground.
+FoldedState wallWithFoot() {
+  return run("square 100; edge 0,50 50,50; tear 0,50 50,50; fold B valley 0 50,50 100,50 left;"
+             "fold A valley 90 50,0 50,100 right");
+}
+
+TEST(Sweep, PaperThatSlidesOverOtherPaperOfItsPlaneIsUndecided) {
+  const SweepReport report = sweepTo(wallWithFoot(), "B", 60);
+  EXPECT_EQ(report.verdict, SweepVerdict::Undecided);
+}
+
+TEST(Sweep, PaperThatSlidesAwayWithinItsPlaneIsFree) {
+  EXPECT_EQ(sweepTo(wallWithFoot(), "B", -60).verdict, SweepVerdict::Free);
+}
+
 }  // namespace
 }  // namespace kiri::test
