@@ -7,7 +7,7 @@
 #include "core/base/text.h"
 #include "core/cut/edge_stretch.h"
 #include "core/cut/rests.h"
-#include "core/layers/hinge_checks.h"
+#include "core/layers/hinge_conflicts.h"
 #include "core/layers/topmost.h"
 
 namespace kiri {
@@ -194,6 +194,20 @@ Error blocked(const FoldedState& state, const Edge& edge, FacetId between) {
           {{a, b, p}, {{a, b}}, {p}}};
 }
 
+/// Paper that a hinge would pass through if it held together.
+std::optional<FacetId> inTheWay(const FoldedState& state, EdgeId id) {
+  const Edge& edge = state.pattern[id];
+  for (const FacetId side : {edge.left, edge.right}) {
+    const std::vector<HingeConflict> found = hingeConflicts(
+        state.pattern, state.poses, state.layers, state.layers.setOf(side), {{}, 1, id});
+    if (found.empty()) continue;
+    const FacetId first = found.front().first[0];
+    const bool isOwn = first == edge.left || first == edge.right;
+    return isOwn ? found.front().second[0] : first;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<FoldedState> tear(const FoldedState& state, const EdgePath& path, const EdgeChoice& choice) {
@@ -234,7 +248,7 @@ Result<FoldedState> mend(const FoldedState& state, const EdgePath& path, const E
   renewRests(next);
   for (const EdgeId id : edges) {
     const Edge& edge = next.pattern[id];
-    if (const auto between = facetThrough(next, edge)) return blocked(next, edge, *between);
+    if (const auto between = inTheWay(next, id)) return blocked(next, edge, *between);
   }
   return next;
 }

@@ -28,6 +28,7 @@ struct Passage {
 
 /// A hinge as a segment of the plane, with how it is passed from its left and from its right.
 struct Run {
+  EdgeId edge;
   Vec2 from;
   Vec2 along;  ///< unit
   double span = 0;
@@ -53,7 +54,11 @@ class Conflicts {
 
   std::vector<HingeConflict> run() {
     gatherRuns();
-    if (scope_.moves.empty()) {
+    if (scope_.only.isValid()) {
+      for (const Run& run : runs_) {
+        if (run.edge == scope_.only) compareAll({run}, runs_, layers_.upward);
+      }
+    } else if (scope_.moves.empty()) {
       compareAll(runs_, runs_, layers_.upward);
     } else {
       compareMoved();
@@ -74,7 +79,7 @@ class Conflicts {
     for (const Run& a : some) {
       for (const Run& b : others) {
         if (isFull()) return;
-        if (&a != &b) compare(a, b);
+        if (a.edge != b.edge) compare(a, b);
       }
       for (const FacetId f : facets) {
         if (isFull()) return;
@@ -117,14 +122,16 @@ class Conflicts {
         if (edge.kind != EdgeKind::Hinge || edge.left == edge.right || isSeen[use.edge.index])
           continue;
         isSeen[use.edge.index] = true;
-        add(edge);
+        add(use.edge);
       }
     }
   }
 
-  void add(const Edge& edge) {
+  void add(EdgeId id) {
+    const Edge& edge = pattern_[id];
     const Rigid& pose = poses_[(isHere(edge.left) ? edge.left : edge.right).index];
     Run run;
+    run.edge = id;
     run.from = toPlane(pose.apply(pattern_[edge.from]));
     const Vec2 to = toPlane(pose.apply(pattern_[edge.to]));
     run.span = distance(run.from, to);
@@ -214,7 +221,7 @@ class Conflicts {
   }
 
   bool isConflict(const Passage& a, const Passage& through) const {
-    return concerns(a, through) && !agree(a, through);
+    return concerns(a, through) && (!agree(a, through) || !agree(through, a));
   }
 
   Vec3 fromPlane(Vec2 p) const { return reference_.apply(seen(p)); }

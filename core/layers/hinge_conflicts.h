@@ -20,6 +20,7 @@ struct ConflictScope {
   /// Only pairs of runs with both moving and resting facets; all pairs when empty.
   std::vector<bool> moves = {};
   std::size_t most = 16;  ///< no more conflicts than this are looked for
+  EdgeId only = {};       ///< where valid: only pairs with the run of this hinge
 };
 
 /// What is wrong along the hinges of one layer-set, where they run through the inside of other

@@ -114,8 +114,9 @@ TEST(Sweep, ArmsOfACrossStandUpBesideEachOther) {
 // A wall on the line x = 50 with an upright crease B at y = 50. Beyond B the paper on the ground is
 // torn from the rest of it and turns with the wall, within the plane of the ground.
 FoldedState wallWithFoot() {
-  return run("square 100; edge 0,50 50,50; tear 0,50 50,50; fold B valley 0 50,50 100,50 left;"
-             "fold A valley 90 50,0 50,100 right");
+  return run(
+      "square 100; edge 0,50 50,50; tear 0,50 50,50; fold B valley 0 50,50 100,50 left;"
+      "fold A valley 90 50,0 50,100 right");
 }
 
 TEST(Sweep, PaperThatSlidesOverOtherPaperOfItsPlaneIsUndecided) {
