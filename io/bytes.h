@@ -9,7 +9,7 @@
 namespace kiri {
 
 inline void appendUint16(std::string& out, std::uint16_t value) {
-  for (int shift = 0; shift < 16; shift += 8) out += static_cast<char>(value >> shift & 0xFFU);
+  for (int shift = 0; shift < 16; shift += 8) out += static_cast<char>(value >> shift & 0xFF);
 }
 
 inline void appendUint32(std::string& out, std::uint32_t value) {

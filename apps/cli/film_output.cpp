@@ -56,7 +56,7 @@ class Pictures {
     if (!png.isOk()) return png.error();
     for (std::size_t i = 0; i < times; ++i) {
       const std::string name = path_.at(++count_);
-      const Status status = writeFile(name, *png);
+      Status status = writeFile(name, *png);
       if (!status.isOk()) return status;
       written_.push_back(name);
     }

@@ -176,7 +176,7 @@ struct Encoder::Workshop {
   Status makeGif(const Progress& progress) {
     const std::string frames = in("frames.mkv");
     const std::string colours = in("colours.png");
-    const Status chosen =
+    Status chosen =
         run(ffmpeg({"-i", frames, "-vf", "palettegen=reserve_transparent=0", colours}), progress);
     if (!chosen.isOk()) return chosen;
     return run(ffmpeg(joined({"-i", frames, "-i", colours, "-lavfi",
@@ -221,17 +221,17 @@ Status Encoder::add(const Image& frame, std::size_t times, const Progress& progr
   KIRI_CHECK(frame.width == options.width && frame.height == options.height,
              "frames have the size of the film");
   for (std::size_t i = 0; i < times; ++i) {
-    const Status sent = workshop_->child->send(frame.rgba.data(), frame.rgba.size(), progress);
+    Status sent = workshop_->child->send(frame.rgba.data(), frame.rgba.size(), progress);
     if (!sent.isOk()) return sent;
   }
   return std::monostate{};
 }
 
 Status Encoder::finish(const Progress& progress) {
-  const Status ended = workshop_->child->finish(progress);
+  Status ended = workshop_->child->finish(progress);
   if (!ended.isOk()) return ended;
   if (workshop_->options.format == FilmFormat::Gif) {
-    const Status made = workshop_->makeGif(progress);
+    Status made = workshop_->makeGif(progress);
     if (!made.isOk()) return made;
   }
   return workshop_->deliver();

@@ -32,7 +32,7 @@ Status checkOptions(const FilmOptions& options) {
     ViewSpec spec = options.view;
     spec.elevation = key.elevation;
     spec.azimuth = std::remainder(key.azimuth, 360.0);
-    const Status status = checkViewSpec(spec);
+    Status status = checkViewSpec(spec);
     if (!status) return status;
   }
   return checkViewSpec(options.view);
@@ -190,7 +190,7 @@ Status shoot(const Film& film, const std::function<Status(const Image&, std::siz
     const Result<Image> frame = film.frameAt(i);
     if (!frame) return frame.error();
     const std::size_t times = film.repeatsAt(i);
-    const Status taken = take(*frame, times);
+    Status taken = take(*frame, times);
     if (!taken) return taken;
     i += times;
   }
