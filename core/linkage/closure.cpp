@@ -15,6 +15,7 @@ namespace kiri {
 namespace {
 
 constexpr int kMostRounds = 25;       // of Newton's method
+constexpr int kPatience = 6;          // rounds that must bring the angles nearer to a solution
 constexpr int kNearestRounds = 5;     // in which the nearest solution is sought
 constexpr int kRefinements = 3;       // of each damped least-squares solution
 constexpr double kLongestStep = 0.5;  // radians in one round: beyond, the equations are another's
@@ -128,6 +129,7 @@ bool Closure::solve(FoldAngles& angles, const FoldAngles* origin) const {
   const FoldAngles guess = angles;
   FoldAngles best = angles;
   double least = HUGE_VAL;
+  double beforehand = HUGE_VAL;
   for (int round = 0; round < kMostRounds; ++round) {
     const double now = error(angles);
     // Rounding alone is left when what was closed gets no better.
@@ -137,6 +139,11 @@ bool Closure::solve(FoldAngles& angles, const FoldAngles* origin) const {
       best = angles;
     }
     if (isDone) break;
+    // What does not come nearer in several rounds has no solution near by.
+    if (round % kPatience == 0) {
+      if (least > beforehand / 4) break;
+      beforehand = least;
+    }
     const bool goesOn = origin ? multiply(angles, *origin) : shift(angles, guess, round);
     if (!goesOn) break;
   }

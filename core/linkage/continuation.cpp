@@ -15,9 +15,9 @@ namespace {
 constexpr double kTurn = 4;           // degrees that a step aims at for its fastest hinge
 constexpr double kGrowth = 2;         // of the step, at most
 constexpr double kCorrection = 0.25;  // of a step: a farther solution belongs to another branch
-constexpr double kFirstTurns[] = {2, 0.5, 0.05};  // degrees, tried for the first step
-constexpr double kFirstScales[] = {1, 0.5, 2};    // of the free hinges, tried for the first step
-constexpr double kMostFirstTurn = 45;             // degrees of the fastest hinge in the first step
+constexpr double kFirstTurns[] = {2, 0.125};    // degrees, tried for the first step
+constexpr double kFirstScales[] = {1, 0.5, 2};  // of the free hinges, tried for the first step
+constexpr double kMostFirstTurn = 45;           // degrees of the fastest hinge in the first step
 constexpr double kMostFirstPart = 0.5;
 constexpr double kMoves = 1.0 / 256;  // of the first turn: a hinge that turns less is said to rest
 constexpr double kLeastDriven = 1.0 / 4096;  // of the fastest hinge: a slower driven one is held

@@ -21,10 +21,11 @@ constexpr double kStray = 1.25;     // of its way, that a point may stray betwee
 constexpr double kMostTurn = 0.85;  // cosine of the turn beyond which this is not trusted
 constexpr int kEndLevels = 10;      // halvings of the first and last moments for facets in contact
 constexpr int kMostLevels = 24;     // halvings of any moment
-constexpr int kMostLooks = 600;     // at one pair between two given moments
-constexpr int kMostDivisions = 30;  // of a facet into strips, halving the way of the slow one
-constexpr int kFastDivisions = 2;   // of the fast one
-constexpr int kBracketing = 30;     // halvings that bracket the first crossing
+constexpr int kMostLooks = 150;     // at one pair between two given moments
+constexpr std::size_t kMostPosed = 12;  // moments looked at for each that was given
+constexpr int kMostDivisions = 24;      // of a facet into strips, halving the way of the slow one
+constexpr int kFastDivisions = 2;       // of the fast one
+constexpr int kBracketing = 30;         // halvings that bracket the first crossing
 
 using Pair = std::pair<FacetId, FacetId>;
 
@@ -64,6 +65,7 @@ class PathChecker {
 
   PathReport run(const std::vector<double>& moments, const Progress& progress) {
     end_ = moments.back();
+    mostPosed_ = kMostPosed * moments.size();
     for (std::size_t i = 0; i + 1 < moments.size() && !certain_; ++i) {
       if (!goesOn(progress, moments[i])) {
         doubt({moments[i], {FacetId(std::size_t{0}), FacetId(std::size_t{0})}, {}});
@@ -112,6 +114,7 @@ class PathChecker {
   const std::vector<Rigid>& at(double part) {
     const auto known = known_.find(part);
     if (known != known_.end()) return known->second;
+    ++posed_;
     return known_.emplace(part, part == 0 ? start_.poses : posesAt_(part)).first->second;
   }
 
@@ -146,6 +149,8 @@ class PathChecker {
   double deep_;  ///< what passes deeper is a certain crossing, mm
   std::map<double, std::vector<Rigid>> known_;
   double end_ = 1;
+  std::size_t posed_ = 0;      ///< moments for which poses were asked
+  std::size_t mostPosed_ = 0;  ///< beyond so many, no moments between the given ones are looked at
   int looks_ = 0;
   std::optional<Meeting> certain_;
   std::optional<Meeting> doubtful_;
@@ -300,7 +305,7 @@ void PathChecker::look(const Pair& pair, double from, double to, int level) {
   if (near.isApart && depth <= touch) return;
   if (level >= kEndLevels && from == 0 && near.before <= touch) return lookAtStart(pair, to);
   if (level >= kEndLevels && to == end_ && near.after <= touch) return;
-  if (depth > touch || level >= kMostLevels || ++looks_ > kMostLooks) {
+  if (depth > touch || level >= kMostLevels || posed_ > mostPosed_ || ++looks_ > kMostLooks) {
     doubtAt(pair, from);
     return;
   }
