@@ -239,8 +239,8 @@ std::vector<Vec2> clearOf(std::vector<Vec2> left, const std::vector<BorderSide>&
     const double span = distance(side.from, side.to);
     bool isNear = false;
     bool isBehind = false;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      const Vec2 p = left[i] - side.from;
+    for (const Vec2 corner : left) {
+      const Vec2 p = corner - side.from;
       const double depth = dot(in, p);
       isBehind = isBehind || depth < -eps;
       isNear =

@@ -11,7 +11,7 @@
 namespace kiri::bench {
 namespace {
 
-FoldedState folded(FoldedState state, Vec2 from, Vec2 to, FoldType type, double angle,
+FoldedState folded(const FoldedState& state, Vec2 from, Vec2 to, FoldType type, double angle,
                    Hand moving = Hand::Left) {
   FoldStep fold;
   fold.line = {Frame::Model, from, to, std::nullopt};
@@ -30,10 +30,10 @@ FoldedState halved(FoldedState state, double size, int folds) {
   for (int k = 0; k < folds; ++k) {
     if (k % 2 == 0) {
       left = (left + size) / 2;
-      state = folded(std::move(state), {left, -size}, {left, 2 * size}, FoldType::Valley, 180);
+      state = folded(state, {left, -size}, {left, 2 * size}, FoldType::Valley, 180);
     } else {
       top /= 2;
-      state = folded(std::move(state), {-size, top}, {3 * size, top}, FoldType::Valley, 180);
+      state = folded(state, {-size, top}, {3 * size, top}, FoldType::Valley, 180);
     }
   }
   return state;
@@ -93,8 +93,8 @@ BENCHMARK(SetAngleZigzag)->Arg(128)->Arg(1024)->Unit(benchmark::kMillisecond);
 /// A packet of 512 layers bent up and bent back: three planes with many layers each.
 void SetAngleBent(benchmark::State& bench) {
   FoldedState state = halved(flatState(*squareSheet(100)), 100, 9);
-  state = folded(std::move(state), {99, -50}, {98, 150}, FoldType::Valley, 70, Hand::Right);
-  state = folded(std::move(state), {98, -50}, {97, 150}, FoldType::Mountain, 70, Hand::Left);
+  state = folded(state, {99, -50}, {98, 150}, FoldType::Valley, 70, Hand::Right);
+  state = folded(state, {98, -50}, {97, 150}, FoldType::Mountain, 70, Hand::Left);
   set(bench, state, lineAt(state, 9), 100);
 }
 BENCHMARK(SetAngleBent)->Unit(benchmark::kMillisecond);
@@ -102,8 +102,8 @@ BENCHMARK(SetAngleBent)->Unit(benchmark::kMillisecond);
 /// The same of a disc, where many facets have a curved border.
 void SetAngleCurved(benchmark::State& bench) {
   FoldedState state = halved(flatState(*discSheet(100)), 200, 9);
-  state = folded(std::move(state), {198, -50}, {197, 250}, FoldType::Valley, 70, Hand::Right);
-  state = folded(std::move(state), {196, -50}, {195, 250}, FoldType::Mountain, 70, Hand::Left);
+  state = folded(state, {198, -50}, {197, 250}, FoldType::Valley, 70, Hand::Right);
+  state = folded(state, {196, -50}, {195, 250}, FoldType::Mountain, 70, Hand::Left);
   set(bench, state, lineAt(state, 9), 100);
 }
 BENCHMARK(SetAngleCurved)->Unit(benchmark::kMillisecond);
