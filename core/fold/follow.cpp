@@ -6,7 +6,7 @@
 
 #include "core/fold/fold_line.h"
 #include "core/fold/movement.h"
-#include "core/fold/path_check.h"
+#include "core/fold/path_collisions.h"
 
 namespace kiri {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/fold/fold_line.h"
-#include "core/fold/path_check.h"
+#include "core/fold/path_collisions.h"
 
 namespace kiri {
 namespace {
@@ -130,25 +130,35 @@ std::shared_ptr<const RigidPath> pathFor(const FoldedState& state,
   return std::make_shared<const RigidPath>(std::move(path));
 }
 
+/// The end of a path that no order of single lines leads to.
+FoldedState endOf(const FoldedState& start, const std::shared_ptr<const RigidPath>& path,
+                  const std::vector<Wanted>& wanted) {
+  FoldedState end = stateDuring(movementAlong(start, path, start), 1);
+  for (const auto& [line, amount] : wanted) {
+    if (amount != 0) end.lines[line.index].foldedAmount = amount;
+  }
+  notePathCollisions(movementAlong(start, path, end), wanted.front().first, end);
+  return end;
+}
+
+/// Line by line says how the paper comes to lie. It moves all at once where it can without meeting
+/// itself on the way, or where that is the only way.
 Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wanted>& wanted,
                                  Movements* record) {
   Movements oneByOne;
   Result<FoldedState> end = moveInAnyOrder(start, wanted, record != nullptr ? &oneByOne : nullptr);
   if (end && record == nullptr) return end;
   const std::shared_ptr<const RigidPath> path = pathFor(start, wanted);
-  if (path == nullptr) {
-    if (end) record->insert(record->end(), oneByOne.begin(), oneByOne.end());
-    return end;
-  }
-  if (!end) {
-    FoldedState opened = stateDuring(movementAlong(start, path, start), 1);
-    for (const auto& [line, amount] : wanted) {
-      if (amount != 0) opened.lines[line.index].foldedAmount = amount;
+  if (!end && path != nullptr) end = endOf(start, path, wanted);
+  if (!end || record == nullptr) return end;
+  if (path != nullptr) {
+    Movement atOnce = movementAlong(start, path, *end);
+    if (oneByOne.empty() || collisionsOnTheWay(atOnce, wanted.front().first).empty()) {
+      record->push_back(std::move(atOnce));
+      return end;
     }
-    notePathCollisions(movementAlong(start, path, opened), wanted.front().first, opened);
-    end = std::move(opened);
   }
-  if (record != nullptr) record->push_back(movementAlong(start, path, *end));
+  record->insert(record->end(), oneByOne.begin(), oneByOne.end());
   return end;
 }
 

@@ -114,10 +114,9 @@ FoldedState stateDuring(const Movement& movement, double part) {
                     movement.how);
 }
 
-FoldedState posedDuring(const Movement& movement, double part) {
-  FoldedState state = *movement.start;
-  state.poses = posesDuring(std::get<Unfolding>(movement.how), state.pattern, part);
-  return state;
+std::vector<Rigid> posesDuring(const Movement& movement, double part) {
+  CreasePattern pattern = movement.start->pattern;
+  return posesDuring(std::get<Unfolding>(movement.how), pattern, part);
 }
 
 Movement movementAlong(const FoldedState& start, std::shared_ptr<const RigidPath> path,

@@ -44,9 +44,8 @@ double degreesOf(const Movement& movement);
 /// on the way are not looked for; those of the start are kept.
 FoldedState stateDuring(const Movement& movement, double part);
 
-/// Poses and angles of that moment only; all else as at the start. Quicker than stateDuring, for
-/// who does not ask for layers. Requires an Unfolding.
-FoldedState posedDuring(const Movement& movement, double part);
+/// The poses of that moment only: quicker than stateDuring. Requires an Unfolding.
+std::vector<Rigid> posesDuring(const Movement& movement, double part);
 
 /// Collects the movements of steps, for whoever wants them.
 using Movements = std::vector<Movement>;

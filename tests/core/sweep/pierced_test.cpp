@@ -1,4 +1,4 @@
-// Fold lines that move together along a rigid path: what the paper meets there is told.
+// Paper that stands in other paper.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
