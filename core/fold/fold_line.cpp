@@ -150,6 +150,15 @@ std::vector<EdgeId> hingesOf(const FoldedState& state, FoldLineId line) {
   return hinges;
 }
 
+Result<FoldedState> setAmountAlone(const FoldedState& state, FoldLineId line, double amount,
+                                   Movements* record) {
+  const Result<Turning> turn = turnTo(state, line, amount);
+  if (!turn) return turn.error();
+  FoldedState next = rotate(state, turn->moves, turn->motion, record);
+  if (amount != 0) next.lines[line.index].foldedAmount = amount;
+  return next;
+}
+
 Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount,
                               Movements* record) {
   const Result<Turning> turn = turnTo(state, line, amount);
@@ -157,15 +166,13 @@ Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double 
   if (!turn || doesTurnOthers(state, line, *turn)) {
     std::optional<Followed> followed = follow(state, line, amount);
     if (followed && followed->path->isComplete()) {
-      if (record != nullptr)
-        record->push_back(movementAlong(state, followed->path, followed->state));
-      return std::move(followed->state);
+      FoldedState next = stateFollowing(state, line, *followed);
+      if (record != nullptr) record->push_back(movementAlong(state, followed->path, next));
+      return next;
     }
     if (!turn) return followed ? stopped(state, line, *followed, turn.error()) : turn.error();
   }
-  FoldedState next = rotate(state, turn->moves, turn->motion, record);
-  if (amount != 0) next.lines[line.index].foldedAmount = amount;
-  return next;
+  return setAmountAlone(state, line, amount, record);
 }
 
 Slide slideAmount(const FoldedState& state, FoldLineId line, double amount) {
@@ -173,7 +180,7 @@ Slide slideAmount(const FoldedState& state, FoldLineId line, double amount) {
   if (there) return {std::move(*there), amount, std::nullopt};
   if (there.error().code == ErrorCode::Locked) {
     if (std::optional<Followed> followed = follow(state, line, amount))
-      return {std::move(followed->state), followed->amount, there.error()};
+      return {stateFollowing(state, line, *followed), followed->amount, there.error()};
   }
   return {state, amountOf(state, line).value_or(0), there.error()};
 }

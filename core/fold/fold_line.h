@@ -22,6 +22,10 @@ std::vector<EdgeId> hingesOf(const FoldedState& state, FoldLineId line);
 Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount,
                               Movements* record = nullptr);
 
+/// The same about the line's own axis only: closed loops are errors.
+Result<FoldedState> setAmountAlone(const FoldedState& state, FoldLineId line, double amount,
+                                   Movements* record = nullptr);
+
 /// How far a slider came.
 struct Slide {
   FoldedState state;

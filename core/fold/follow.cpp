@@ -101,14 +101,19 @@ std::optional<Followed> follow(const FoldedState& state, FoldLineId line, double
     if (tidy.arrives()) found = std::move(tidy);
   }
   const auto path = std::make_shared<const RigidPath>(std::move(found));
+  const double reached = state.pattern[leader].sign * path->at(path->reach())[leader.index];
+  return Followed{path, reached};
+}
+
+FoldedState stateFollowing(const FoldedState& state, FoldLineId line, const Followed& followed) {
+  const std::shared_ptr<const RigidPath>& path = followed.path;
   FoldedState end = stateDuring(movementAlong(state, path, state), path->reach());
   for (std::size_t i = 0; i < end.lines.size(); ++i) {
     const std::optional<double> now = amountOf(end, FoldLineId(i));
     if (now && *now != 0 && now != amountOf(state, FoldLineId(i))) end.lines[i].foldedAmount = *now;
   }
   notePathCollisions(movementAlong(state, path, end), line, end);
-  const double reached = end.pattern[leader].sign * end.pattern[leader].angle;
-  return Followed{path, std::move(end), reached};
+  return end;
 }
 
 }  // namespace kiri

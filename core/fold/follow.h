@@ -10,16 +10,18 @@
 
 namespace kiri {
 
-/// Where a fold line gets when the creases that form closed loops with it are free to follow.
+/// How far a fold line gets when the creases that form closed loops with it are free to follow.
 struct Followed {
   std::shared_ptr<const RigidPath> path;
-  FoldedState state;  ///< at the end of the path
-  double amount = 0;  ///< of the line then, degrees in its own direction
+  double amount = 0;  ///< of the line at the end of the path, degrees in its own direction
 };
 
-/// Moves the line towards `amount`, and with it the hinges of fold lines that its vertices inside
-/// the paper join to it, and theirs, facets staying rigid. None when nothing can move. Source:
-/// rigid folding by projection, see rigidPath.
+/// The way of the line towards `amount`, and with it of the hinges of fold lines that its vertices
+/// inside the paper join to it, and theirs, facets staying rigid. None when nothing can move.
+/// Source: rigid folding by projection, see rigidPath.
 std::optional<Followed> follow(const FoldedState& state, FoldLineId line, double amount);
+
+/// The state at the end of that way, with the collisions that are met on it.
+FoldedState stateFollowing(const FoldedState& state, FoldLineId line, const Followed& followed);
 
 }  // namespace kiri

@@ -13,36 +13,46 @@ namespace {
 
 using Wanted = std::pair<FoldLineId, double>;
 
-/// Tries the lines in turn and again until all have moved; what moves without a collision goes
-/// first.
+/// A line of the group that can move next, and what comes of it.
+struct Next {
+  FoldedState state;
+  std::size_t place;
+  Movements movements;
+};
+
+/// The first line that can move about its own axis without a collision; else the first that can
+/// move at all.
+Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wanted,
+                        bool isRecorded) {
+  std::optional<Next> best;
+  std::optional<Error> error;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Movements made;
+    Result<FoldedState> next =
+        setAmountAlone(state, wanted[i].first, wanted[i].second, isRecorded ? &made : nullptr);
+    if (!next) {
+      if (!error) error = next.error();
+      continue;
+    }
+    const bool isFree = next->collisions.size() == state.collisions.size();
+    if (isFree || !best) best = Next{std::move(*next), i, std::move(made)};
+    if (isFree) break;
+  }
+  if (!best) return *error;
+  return std::move(*best);
+}
+
+/// Tries the lines in turn and again until all have moved.
 Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted> wanted,
                                    Movements* record) {
-  struct Try {
-    FoldedState state;
-    std::size_t place;
-    Movements movements;
-  };
   FoldedState state = start;
   while (!wanted.empty()) {
-    std::optional<Try> best;
-    std::optional<Error> error;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      Movements made;
-      Result<FoldedState> next =
-          setAmount(state, wanted[i].first, wanted[i].second, record != nullptr ? &made : nullptr);
-      if (!next) {
-        if (!error) error = next.error();
-        continue;
-      }
-      const bool isFree = next->collisions.size() == state.collisions.size();
-      if (isFree || !best) best = Try{std::move(*next), i, std::move(made)};
-      if (isFree) break;
-    }
-    if (!best) return *error;
-    state = std::move(best->state);
+    Result<Next> next = nextToMove(state, wanted, record != nullptr);
+    if (!next) return next.error();
+    state = std::move(next->state);
     if (record != nullptr)
-      record->insert(record->end(), best->movements.begin(), best->movements.end());
-    wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(best->place));
+      record->insert(record->end(), next->movements.begin(), next->movements.end());
+    wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(next->place));
   }
   return state;
 }

@@ -57,7 +57,7 @@ TEST(StateBetween, UnfoldingInOrderTakesTheFoldsOneAfterTheOther) {
 
 TEST(StateBetween, FoldsOfAFanOpenTogether) {
   const Model model = modelOf(
-      "square 100; fold one valley 50,0 50,105 left; unfold all; fold two valley 50,0 105,60 "
+      "square 100; fold one valley 50,0 50,105 left; unfold all; fold two mountain 50,0 105,60 "
       "right; "
       "unfold all; refold all; unfold all together");
   const double steps = static_cast<double>(model.steps.size());
