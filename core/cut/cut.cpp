@@ -110,7 +110,7 @@ class Cutting {
 
  private:
   Status divide() {
-    if (const Status lie = checkUpright(); !lie) return lie;
+    if (const Status lie = checkUpright(); !lie) return lie.error();
     partHingesAlong();
     const std::size_t oldEdges = state_.pattern.edges.size();
     const Result<std::size_t> count =

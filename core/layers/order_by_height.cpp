@@ -50,7 +50,7 @@ class Heights {
       : state_(state), poses_(poses), before_(before) {}
 
   LayerSet ordered(const Plane& plane) {
-    const LayerSet listed{plane.normal, plane.facets, {}};
+    LayerSet listed{plane.normal, plane.facets, {}};
     if (plane.facets.size() < 2) return listed;
     const Rigid& reference = poses_[plane.facets.front().index];
     PlaneView view(state_.pattern, poses_, reference);

@@ -117,7 +117,7 @@ class Follower {
   /// pass near the middle.
   std::optional<FoldAngles> middleOf(const RigidPath::Sample& a, const RigidPath::Sample& b) {
     const FoldAngles guess = halfway(a.angles, b.angles);
-    const std::optional<FoldAngles> middle = solution(guess, (a.part + b.part) / 2);
+    std::optional<FoldAngles> middle = solution(guess, (a.part + b.part) / 2);
     if (!middle) return std::nullopt;
     if (apart(*middle, guess) > kCorrection * apart(a.angles, b.angles) / 2 + kFullFold) {
       failWith(PathEnd::Locked, *middle);

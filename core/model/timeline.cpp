@@ -128,13 +128,14 @@ Result<FoldedState> stateBetween(const Model& model, double steps, const Progres
   double degrees = 0;
   for (const Movement& movement : movements) degrees += degreesOf(movement);
   double left = part * degrees;
-  for (std::size_t m = 0; m < movements.size(); ++m) {
-    const double share = degreesOf(movements[m]);
-    if (left <= share && share > 0) return stateDuring(movements[m], left / share);
+  for (const Movement& movement : movements) {
+    const double share = degreesOf(movement);
+    if (left <= share && share > 0) return stateDuring(movement, left / share);
     left -= share;
   }
-  // Nothing turns: a shift goes as far, anything else is done at once.
-  return movements.empty() ? line->stateAfter(done + 1) : stateDuring(movements.back(), part);
+  if (movements.empty()) return line->stateAfter(done + 1);  // done at once
+  // A shift goes as far as it is asked; else rounding has left a trifle beyond the last turn.
+  return stateDuring(movements.back(), degrees > 0 ? 1 : part);
 }
 
 }  // namespace kiri
