@@ -73,13 +73,18 @@ function(kiri_test_folder room)
   set(exact ${sources})
   list(FILTER exact INCLUDE REGEX "cgal")
   set_source_files_properties(${exact} PROPERTIES COMPILE_OPTIONS -frounding-math)
+  set(environment)
+  if(KIRI_SANITIZED)
+    set(options suppressions=${PROJECT_SOURCE_DIR}/cmake/lsan_suppressions.txt:print_suppressions=0)
+    set(environment ENVIRONMENT LSAN_OPTIONS=${options})
+  endif()
   gtest_discover_tests(
     ${target}
     TEST_PREFIX ${room}.
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
-    PROPERTIES LABELS unit TIMEOUT 600)
+    PROPERTIES LABELS unit TIMEOUT 600 ${environment})
 endfunction()
 
 function(kiri_tests_of_the_code)
