@@ -17,8 +17,6 @@ constexpr double kGrowth = 2;         // of the step, at most
 constexpr double kCorrection = 0.25;  // of a step: a farther solution belongs to another branch
 constexpr double kFirstTurns[] = {2, 0.125};    // degrees, tried for the first step
 constexpr double kMostHurry = 4;                // times the mean speed of the fastest hinge
-constexpr int kLeastTrials = 2;                 // of first steps besides the tangent,
-constexpr int kTrialsOfOne = 300;               // and shared among the free hinges
 constexpr double kFirstScales[] = {1, 0.5, 2};  // of the free hinges, tried for the first step
 constexpr double kMostFirstTurn = 45;           // degrees of the fastest hinge in the first step
 constexpr double kMostFirstPart = 0.5;
@@ -149,7 +147,6 @@ class Follower {
   bool arrives(const FoldAngles& guess);
   FoldAngles flatNear(const FoldAngles& guess) const;
   bool begin();
-  bool isSingular() const;
   bool beginWith(const RigidPath::Sample& near);
   std::optional<RigidPath::Sample> firstOf(double turn, double scale, bool keepsSigns) const;
   int leaving(const FoldAngles& angles) const;
@@ -242,15 +239,11 @@ FoldAngles Follower::flatNear(const FoldAngles& guess) const {
 /// every hinge leaves towards its wanted angle; if there is none, one in which some rest.
 bool Follower::begin() {
   const FoldAngles tangent = ratesAt(samples_.front());
-  // Large patterns cost more in each trial, and mostly start with the first or never.
-  int trials = std::max(kLeastTrials, kTrialsOfOne / static_cast<int>(request_.free.size() + 1));
   for (const double turn : kFirstTurns) {
     const double part = firstPart(turn);
     if (beginWith({part, moved(start_, tangent, part)})) return true;
-    if (!isSingular()) continue;
     for (const double scale : kFirstScales) {
       for (const bool keepsSigns : {false, true}) {
-        if (--trials < 0) continue;
         const std::optional<RigidPath::Sample> first = firstOf(turn, scale, keepsSigns);
         if (first && beginWith(*first)) return true;
       }
@@ -263,15 +256,6 @@ bool Follower::begin() {
     return true;
   }
   return false;
-}
-
-/// True when hinges start flat or fully folded: branches may meet there.
-bool Follower::isSingular() const {
-  const auto isFlat = [this](EdgeId e) {
-    return start_[e.index] == 0 || std::abs(start_[e.index]) == 180;
-  };
-  return std::any_of(request_.free.begin(), request_.free.end(), isFlat) ||
-         std::any_of(request_.driven.begin(), request_.driven.end(), isFlat);
 }
 
 /// A first step in which all hinges go their way at first alike, then, driven ones included, are

@@ -56,8 +56,8 @@ class RigidPath {
   RigidPath(PathRequest request, std::vector<Sample> samples, Stop stop,
             std::shared_ptr<const Closure> closure);
 
-  /// How far the paper goes: 1, or the part at which it stops (to about 1e-6); 0 when there is no
-  /// way at all from the start.
+  /// How far the paper goes: 1, or the part at which it stops (to about a millionth); 0 when there
+  /// is no way at all from the start.
   double reach() const { return samples_.back().part; }
   bool isComplete() const { return reach() == 1; }
   /// True when it is complete and the free hinges too have come to their wanted angles.

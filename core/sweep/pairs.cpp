@@ -13,13 +13,15 @@
 namespace kiri {
 namespace {
 
-/// Whether all points stay on one side of a resting plane, or in it, during the whole motion.
-bool stayBeside(const std::vector<Vec3>& points, Vec3 normal, double offset, const AxisFrame& frame,
-                double slack) {
+/// Whether all points stay on one side of a plane, or in it, during the whole motion. `waveOf`
+/// gives the height of a point along the normal, as the one or the other turns.
+template <class WaveOf>
+bool stayBeside(const std::vector<Vec3>& points, double offset, const AxisFrame& frame,
+                double slack, WaveOf waveOf) {
   bool isAbove = true;
   bool isBelow = true;
   for (const Vec3 p : points) {
-    Wave wave = Wave::of(p, normal);
+    Wave wave = waveOf(p);
     wave.c -= offset;
     const WaveRange range = rangeOf(wave, frame);
     isAbove = isAbove && range.low >= -slack;
@@ -29,20 +31,16 @@ bool stayBeside(const std::vector<Vec3>& points, Vec3 normal, double offset, con
   return true;
 }
 
-/// The same for resting points and a plane that turns.
-bool isStayedBeside(const std::vector<Vec3>& points, Vec3 normal, double offset,
-                    const AxisFrame& frame, double slack) {
-  bool isAbove = true;
-  bool isBelow = true;
-  for (const Vec3 q : points) {
-    Wave wave = Wave::of(normal, q);
-    wave.c -= offset;
-    const WaveRange range = rangeOf(wave, frame);
-    isAbove = isAbove && range.low >= -slack;
-    isBelow = isBelow && range.high <= slack;
-    if (!isAbove && !isBelow) return false;
-  }
-  return true;
+/// Turning points and a plane that rests.
+bool doPointsStayBeside(const std::vector<Vec3>& points, Vec3 normal, double offset,
+                        const AxisFrame& frame, double slack) {
+  return stayBeside(points, offset, frame, slack, [&](Vec3 p) { return Wave::of(p, normal); });
+}
+
+/// Resting points and a plane that turns.
+bool doesPlaneStayBeside(const std::vector<Vec3>& points, Vec3 normal, double offset,
+                         const AxisFrame& frame, double slack) {
+  return stayBeside(points, offset, frame, slack, [&](Vec3 q) { return Wave::of(normal, q); });
 }
 
 double turnedForward(double angle) {
@@ -85,8 +83,8 @@ class PairSearch {
     if (m.rLow > f.rHigh + touch_ || f.rLow > m.rHigh + touch_) return false;
     if (!doAzimuthsMeet(m, f, radians_)) return false;
     const double slack = slackFor(m.goesOn || f.goesOn);
-    return !stayBeside(m.hull, f.normal, f.offset, frame_, slack) &&
-           !isStayedBeside(f.hull, m.normal, m.offset, frame_, slack);
+    return !doPointsStayBeside(m.hull, f.normal, f.offset, frame_, slack) &&
+           !doesPlaneStayBeside(f.hull, m.normal, m.offset, frame_, slack);
   }
 
   void meet(const Body& m, const Body& f) {
@@ -149,8 +147,8 @@ class PairSearch {
   bool canMeet(const Patch& a, const Patch& b) const {
     if (a.zLow > b.zHigh + touch_ || b.zLow > a.zHigh + touch_) return false;
     const double slack = slackFor(a.goesOn || b.goesOn);
-    return !stayBeside(a.points, b.normal, b.offset, frame_, slack) &&
-           !isStayedBeside(b.points, a.normal, a.offset, frame_, slack);
+    return !doPointsStayBeside(a.points, b.normal, b.offset, frame_, slack) &&
+           !doesPlaneStayBeside(b.points, a.normal, a.offset, frame_, slack);
   }
 
   /// Where the two pass through each other after a turn.
