@@ -1,7 +1,29 @@
 # Packages from outside, found only when a room of the table asks for them. Reasons: docs/dependencies.md.
 # SPDX-License-Identifier: MIT
 
-# Sets <result> to the target that stands for the package named in the table.
+# What only the window needs: without it the rooms that want it are left out, and the command line is built all the same.
+macro(kiri_find_window_packages)
+  find_package(Qt6 6.4 QUIET COMPONENTS Widgets OpenGLWidgets Svg PrintSupport)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND AND NOT TARGET PkgConfig::epoxy)
+    pkg_check_modules(epoxy QUIET IMPORTED_TARGET GLOBAL epoxy)
+  endif()
+  if(NOT Qt6_FOUND OR NOT epoxy_FOUND)
+    message(STATUS "Qt 6 or epoxy not found: no window (./kirisim installs them)")
+  endif()
+endmacro()
+
+# True when all packages of a room are there, as far as one may do without them.
+function(kiri_has_packages result)
+  set(${result} TRUE PARENT_SCOPE)
+  foreach(name IN LISTS ARGN)
+    if((name STREQUAL "Qt6" AND NOT Qt6_FOUND) OR (name STREQUAL "epoxy" AND NOT epoxy_FOUND))
+      set(${result} FALSE PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# Sets <result> to the targets that stand for the package named in the table.
 macro(kiri_package name result)
   if("${name}" STREQUAL "nlohmann_json")
     find_package(nlohmann_json 3.11 REQUIRED)
@@ -20,6 +42,10 @@ macro(kiri_package name result)
     find_package(PkgConfig REQUIRED)
     pkg_check_modules(libpng REQUIRED IMPORTED_TARGET GLOBAL libpng)
     set(${result} PkgConfig::libpng)
+  elseif("${name}" STREQUAL "epoxy")
+    set(${result} PkgConfig::epoxy)
+  elseif("${name}" STREQUAL "Qt6")
+    set(${result} Qt6::Widgets Qt6::OpenGLWidgets Qt6::Svg Qt6::PrintSupport)
   else()
     message(FATAL_ERROR "ARCHITECTURE.md names the package ${name}, which cmake/KiriPackages.cmake does not know")
   endif()

@@ -31,6 +31,8 @@ PACKAGE_HEADERS = {
     "Eigen3": r"Eigen/",
     "cairo": r"cairo",
     "libpng": r"png\.h$",
+    "epoxy": r"epoxy/",
+    "Qt6": r"Q[A-Z][A-Za-z]+$",
 }
 # Headers of the operating system: allowed where files are.
 SYSTEM_HEADER = r"(?:unistd|fcntl|signal|spawn|termios|sys/\w+)\.h$"

@@ -1,0 +1,116 @@
+// One open model with everything that belongs to working on it; what a window shows and drives.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/base/events.h"
+#include "editor/base/field.h"
+#include "editor/base/task.h"
+#include "editor/document/document.h"
+#include "editor/motion/fold_sliders.h"
+#include "editor/motion/player.h"
+#include "editor/session/shown.h"
+#include "editor/tools/tool.h"
+#include "editor/view/camera.h"
+
+namespace kiri {
+
+/// What of the session has changed since the listener was last called.
+struct Changed {
+  bool document = false;  ///< model, cursor, path, or what is unsaved
+  bool shown = false;     ///< paper or tints
+  bool marks = false;     ///< what is drawn over it, fields, hint, cursor
+  bool view = false;      ///< a camera
+  bool tool = false;      ///< another tool
+  bool busy = false;      ///< long work began or ended
+  bool selection = false;
+};
+
+/// The sentence for the status bar after something happened, and how grave it is.
+struct Notice {
+  enum class Kind { None, Done, Warning, Refused };
+  Kind kind = Kind::None;
+  Phrase text;      ///< of the editor; translated
+  std::string why;  ///< the kernel's sentence
+};
+
+/// Routes events to the tool, the camera, the previews; commits steps; tells one listener what has
+/// changed. All work on paper goes through the task runner. Not copied.
+class Session {
+ public:
+  Session(TaskRunner& runner, std::function<void(const Changed&)> listener);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // The document.
+  const Document& document() const;
+  void open(Document document);             ///< replaces what is open
+  void change(Change change, Phrase what);  ///< computed beside the window, in order
+  void undo();
+  void redo();
+  void jumpTo(std::size_t steps);
+  void noteSaved(const std::string& path);
+  bool isBusy() const;  ///< a change is being computed
+  void cancelWork();
+
+  // Panes.
+  void resize(Pane pane, Vec2 pixels);
+  void pointer(const PointerEvent& event);
+  void wheel(const WheelEvent& event);
+  bool key(const KeyEvent& event);  ///< false: not for us
+  void pinch(Pane pane, Vec2 at, double factor, Vec2 pan, double rollDegrees);  ///< two fingers
+  Camera& camera();  ///< call viewChanged() after
+  SheetCamera& sheetCamera();
+  void viewChanged();
+  void fitAll();
+
+  // Tools.
+  ToolId tool() const;
+  void setTool(ToolId tool);
+  std::vector<Field> fields() const;
+  void setField(const std::string& id, const FieldValue& value);
+  bool canCommit() const;
+  void commit();
+  void cancel();  ///< Esc: drops what is half done, then the selection
+  SnapSettings& snaps();
+  Phrase hint() const;
+  CursorShape cursor() const;
+  const Selection& selection() const;
+  void setSelection(Selection selection);
+  const Notice& notice() const;
+
+  // What to draw.
+  Shown shown() const;
+  Marks marks() const;
+
+  // Sliders.
+  std::vector<FoldSlider> sliders() const;
+  void beginSlide(FoldLineId line);
+  void slide(double amount);
+  void endSlide(bool keep);
+  const std::optional<SlideShow>& slideShow() const;
+  void beginSlideAll();
+  void slideAll(double openness);
+  void endSlideAll(bool keep);
+  bool isLeaf() const;  ///< all together; otherwise in order
+  void setLeaf(bool isLeaf);
+
+  // The film.
+  Player& player();
+  void openPlayer();  ///< computes the time line beside the window, then shows it
+  void closePlayer();
+  void advance(double seconds);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace kiri

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Runs a command on a screen that nobody sees, with a window manager on it: with_screen.sh COMMAND...
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+if [[ " $* " == *" --gtest_list_tests "* ]]; then
+  exec "$@"
+fi
+export QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=${QT_SCALE_FACTOR:-1} LIBGL_ALWAYS_SOFTWARE=1 NO_AT_BRIDGE=1
+# shellcheck disable=SC2016  # the inner shell expands these
+exec xvfb-run -a -s "-screen 0 1600x1100x24" bash -c 'openbox & manager=$!; trap "kill $manager" EXIT; "$@"' run "$@"
