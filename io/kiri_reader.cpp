@@ -84,6 +84,7 @@ Result<LoadedModel> readKiri(std::string_view text, std::string_view fileName) {
   if (!readHeader(fields)) return *findings.error();
   model.title = fields.text("title");
   model.notes = fields.text("notes");
+  if (fields.oneOf("opens", {"in order", "together"}, 0) == 1) model.opening = Sequence::Together;
   const std::optional<Field> sheet =
       fields.require("sheet", "the paper, such as {\"shape\": \"square\", \"side\": 150}");
   if (const std::optional<Field> paper = fields.find("paper")) readPaper(*paper, model);

@@ -16,6 +16,7 @@ std::string writeKiri(const Model& model) {
   out.add("version", JsonValue::ofNumber(kKiriVersion));
   if (!model.title.empty()) out.add("title", JsonValue::ofText(model.title));
   if (!model.notes.empty()) out.add("notes", JsonValue::ofText(model.notes));
+  if (model.opening == Sequence::Together) out.add("opens", JsonValue::ofText("together"));
   out.add("sheet", writeSheet(model.sheet));
   out.add("paper", writePaper(model));
   JsonValue& steps = out.add("steps", JsonValue::array());

@@ -43,6 +43,7 @@ struct Model {
   SheetSpec sheet;
   PaperSide front{{90, 140, 70}, ""};
   PaperSide back{{214, 226, 190}, ""};
+  Sequence opening = Sequence::InOrder;  ///< how all of it unfolds at once (thesis 4.5 B17)
   std::vector<Step> steps;
   std::string unknown;  ///< fields that the reader did not know, as JSON text
 };

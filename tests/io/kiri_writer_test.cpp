@@ -26,6 +26,15 @@ Model modelOf(const std::string& text) {
   return loaded.isOk() ? loaded->model : Model{};
 }
 
+TEST(KiriWriter, KeepsHowAModelOpens) {
+  Model model;
+  EXPECT_EQ(writeKiri(model).find("opens"), std::string::npos);
+  model.opening = Sequence::Together;
+  const Result<LoadedModel> again = readKiri(writeKiri(model), "leaf.kiri");
+  ASSERT_TRUE(again.isOk()) << again.error().message;
+  EXPECT_EQ(again->model.opening, Sequence::Together);
+}
+
 TEST(KiriWriter, WritesEveryStepAsItWasRead) {
   const nlohmann::json before = nlohmann::json::parse(fileWithEverything());
   const nlohmann::json after = nlohmann::json::parse(writeKiri(modelOf(fileWithEverything())));
