@@ -40,6 +40,13 @@ struct Notice {
   std::string why;  ///< the kernel's sentence
 };
 
+/// The size of what lies there, for the status bar.
+struct Facts {
+  std::size_t facets = 0;
+  std::size_t layers = 0;      ///< the most that lie on each other
+  std::size_t collisions = 0;  ///< that the steps so far have met
+};
+
 /// Routes events to the tool, the camera, the previews; commits steps; tells one listener what has
 /// changed. All work on paper goes through the task runner. Not copied.
 class Session {
@@ -85,6 +92,7 @@ class Session {
   const Selection& selection() const;
   void setSelection(Selection selection);
   const Notice& notice() const;
+  const Facts& facts() const;
 
   // What to draw.
   Shown shown() const;
@@ -99,13 +107,17 @@ class Session {
   void beginSlideAll();
   void slideAll(double openness);
   void endSlideAll(bool keep);
-  bool isLeaf() const;  ///< all together; otherwise in order
+  /// Why all cannot move as asked; none while that is not known or untrue.
+  const std::optional<Error>& slideProblem() const;
+  bool isLeaf() const;  ///< the model opens all together; otherwise in order
   void setLeaf(bool isLeaf);
 
   // The film.
-  Player& player();
+  Player& player();  ///< call playerMoved() after seeking or skipping
+  void playerMoved();
   void openPlayer();  ///< computes the time line beside the window, then shows it
   void closePlayer();
+  bool isPlayerOpen() const;
   void advance(double seconds);
 
  private:

@@ -14,10 +14,12 @@ namespace kiri {
 /// The paper to draw: the state at the cursor, or a preview, a slide, a moment of the film.
 struct Shown {
   std::shared_ptr<const FoldedState> state;
-  std::vector<FacetTint> tints;               ///< one for each facet of `state`, or empty
-  std::uint64_t revision = 0;                 ///< another number whenever `state` is another
-  bool isPreview = false;                     ///< drawn pale: not made yet
-  std::shared_ptr<const FoldedState> before;  ///< with a preview: as it is now, for outlines
+  std::vector<FacetTint> tints;  ///< one for each facet of `state`, or empty
+  std::uint64_t revision = 0;    ///< another number whenever `state` is another
+  bool isPreview = false;        ///< not made yet
+  /// The state at the cursor: what the Spots of marks belong to. Another than `state` during a
+  /// preview, a slide or the film.
+  std::shared_ptr<const FoldedState> base;
 };
 
 }  // namespace kiri
