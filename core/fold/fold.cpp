@@ -37,7 +37,7 @@ class Folding {
       seeds.push_back(isLeftOnMovingSide(edge) ? edge.left : edge.right);
       resting.push_back(isLeftOnMovingSide(edge) ? edge.right : edge.left);
     }
-    const MovingFacets moving = movingFacets(state_, axis_, seeds, resting);
+    const MovingSet moving = movingFacets(state_, axis_, seeds, resting);
     if (!moving.broken.empty()) return stretched(moving);
     for (const Vec2 companion : request_.companions) {
       const std::optional<FacetId> facet = facetAt(state_.pattern, companion);
@@ -132,7 +132,7 @@ class Folding {
 
   /// The first hinge on the way from the moving to the resting side that leads to paper beyond the
   /// line.
-  EdgeId failingHinge(const MovingFacets& moving) const {
+  EdgeId failingHinge(const MovingSet& moving) const {
     for (const EdgeId id : moving.broken) {
       const Edge& edge = state_.pattern[id];
       if (reachesBeyond(edge.left) || reachesBeyond(edge.right)) return id;
@@ -148,7 +148,7 @@ class Folding {
     return false;
   }
 
-  Error stretched(const MovingFacets& moving) const {
+  Error stretched(const MovingSet& moving) const {
     const Edge& edge = state_.pattern[failingHinge(moving)];
     const Vec2 a = state_.pattern[edge.from];
     const Vec2 b = state_.pattern[edge.to];

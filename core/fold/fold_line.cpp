@@ -108,7 +108,7 @@ Result<Turning> turnTo(const FoldedState& state, FoldLineId line, double amount)
     seeds.push_back(edge.leftMoves ? edge.left : edge.right);
     resting.push_back(edge.leftMoves ? edge.right : edge.left);
   }
-  const MovingFacets moving = movingFacets(state, motion, seeds, resting);
+  const MovingSet moving = movingFacets(state, motion, seeds, resting);
   if (!moving.broken.empty()) {
     return locked(state, line,
                   "the paper on its two sides is joined elsewhere too and would stretch",

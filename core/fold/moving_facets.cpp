@@ -54,9 +54,8 @@ bool liesOnAxis(const FoldedState& state, const Edge& edge, const Motion& axis) 
          distanceToAxis(axis, pose.apply(state.pattern[edge.to])) <= tol;
 }
 
-MovingFacets movingFacets(const FoldedState& state, const Motion& axis,
-                          const std::vector<FacetId>& seeds,
-                          const std::vector<FacetId>& fixedSeeds) {
+MovingSet movingFacets(const FoldedState& state, const Motion& axis,
+                       const std::vector<FacetId>& seeds, const std::vector<FacetId>& fixedSeeds) {
   Flood reached = flood(state, axis, seeds);
   for (const FacetId fixed : fixedSeeds) {
     if (reached.isReached[fixed.index]) return {reached.isReached, wayTo(state, reached, fixed)};

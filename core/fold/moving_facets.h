@@ -18,12 +18,11 @@ bool liesOnAxis(const FoldedState& state, const Edge& edge, const Motion& axis);
 /// resting paper must lie on the axis. `broken` is empty unless that takes along a facet of
 /// `fixedSeeds`, which is meant to rest: then it is the chain of hinges that leads from a seed to
 /// it, one of which would have to give way.
-struct MovingFacets {
+struct MovingSet {
   std::vector<bool> moves;
   std::vector<EdgeId> broken;
 };
-MovingFacets movingFacets(const FoldedState& state, const Motion& axis,
-                          const std::vector<FacetId>& seeds,
-                          const std::vector<FacetId>& fixedSeeds);
+MovingSet movingFacets(const FoldedState& state, const Motion& axis,
+                       const std::vector<FacetId>& seeds, const std::vector<FacetId>& fixedSeeds);
 
 }  // namespace kiri
