@@ -17,6 +17,8 @@ enum class LineStyle {
             ///< dash-dot-dot, cut dotted
   Program,  ///< colours that origami programs read (Origami Simulator, Rabbit Ear): mountain red,
             ///< valley blue, cut green
+  Safe,     ///< told apart by all eyes: mountain dark blue with dash-dot-dot, valley orange and
+            ///< dashed, cut dark purple
 };
 
 /// How one side of the paper looks.

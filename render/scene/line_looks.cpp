@@ -77,6 +77,25 @@ Stroke programStroke(LineKind kind, double width) {
   return {};
 }
 
+/// Colours after Okabe and Ito (2002), apart in lightness too, and the dashes of diagrams.
+Stroke safeStroke(LineKind kind, const Appearance& appearance, double width) {
+  switch (kind) {
+    case LineKind::Mountain:
+      return dashed({0, 90, 200}, width, {8, 2, 1.2, 2, 1.2, 2});
+    case LineKind::Valley:
+      return dashed({240, 150, 0}, width, {6, 3});
+    case LineKind::Flat:
+      return solid(appearance.creaseColor, width / 2);
+    case LineKind::Border:
+      return solid(appearance.edgeColor, width);
+    case LineKind::Tear:
+      return dashed({120, 20, 80}, width, {3, 3});
+    case LineKind::Cut:
+      return solid({120, 20, 80}, width);
+  }
+  return {};
+}
+
 }  // namespace
 
 const char* nameOf(LineKind kind) {
@@ -105,6 +124,8 @@ Stroke strokeFor(LineKind kind, const Appearance& appearance, double width) {
       return diagramStroke(kind, appearance, width);
     case LineStyle::Program:
       return programStroke(kind, width);
+    case LineStyle::Safe:
+      return safeStroke(kind, appearance, width);
   }
   return {};
 }
