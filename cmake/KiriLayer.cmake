@@ -93,7 +93,9 @@ function(kiri_layer folder)
   if("Qt6" IN_LIST KIRI_PACKAGES_${folder})
     file(GLOB resources CONFIGURE_DEPENDS ${root}/${folder}/*.qrc)
     target_sources(${target} PRIVATE ${resources})
-    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTORCC ON)
+    # Without the last, a header that is new is not looked at in a build that is there already.
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTORCC ON AUTOGEN_TARGET_DEPENDS
+      ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}_autogen.dir/AutogenInfo.json)
     target_compile_definitions(${target} ${scope} QT_NO_FOREACH)
   endif()
   if(folder STREQUAL "core/base")
