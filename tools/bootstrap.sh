@@ -133,27 +133,35 @@ build() {
   fi
 }
 
-# True when build/release/kiri is newer than everything it is made from. Folders count too, so that an added
+# The packages of a program: the window needs those of the command line too.
+doors_of() { [[ $1 == kirisim ]] && printf 'kiri kirisim\n' || printf 'kiri\n'; }
+
+# True when build/release/NAME is newer than everything it is made from. Folders count too, so that an added
 # or removed file is seen.
 is_program_fresh() {
-  local stamp=$KIRI_BUILD/release/.kiri-built
-  [[ -x $KIRI_BUILD/release/kiri && -f $stamp ]] || return 1
-  [[ -z $(cd "$KIRI_ROOT" && find CMakeLists.txt CMakePresets.json ARCHITECTURE.md cmake core io render apps \
-    -newer "$stamp" -print -quit 2>/dev/null) ]]
+  local name=$1 stamp=$KIRI_BUILD/release/.$1-built
+  local -a made_of=(CMakeLists.txt CMakePresets.json ARCHITECTURE.md cmake core io render apps)
+  [[ $name == kirisim ]] && made_of+=(editor)
+  [[ -x $KIRI_BUILD/release/$name && -f $stamp ]] || return 1
+  [[ -z $(cd "$KIRI_ROOT" && find "${made_of[@]}" -newer "$stamp" -print -quit 2>/dev/null) ]]
 }
 
-# Sees to it that build/release/kiri is there and up to date. At once when it is.
+# Sees to it that build/release/NAME is there and up to date: need_program kiri. At once when it is.
 need_program() {
-  is_program_fresh && return 0
+  local name=$1 ninja=$KIRI_BUILD/release/build.ninja when=
+  is_program_fresh "$name" && return 0
   take_lock
-  if ! is_program_fresh; then
+  if ! is_program_fresh "$name"; then
     : >"$KIRI_LOG"
-    install_missing kiri
+    # shellcheck disable=SC2046  # one word for each door
+    install_missing $(doors_of "$name")
     touch "$KIRI_BUILD/.started"
-    if ! configure release || ! build release kiri; then
+    # Configured before its packages were there, the build does not know the program.
+    grep -qsF "build $name:" "$ninja" || when=always
+    if ! configure release $when || ! build release "$name"; then
       give_up "the program could not be built"
     fi
-    mv -f "$KIRI_BUILD/.started" "$KIRI_BUILD/release/.kiri-built"
+    mv -f "$KIRI_BUILD/.started" "$KIRI_BUILD/release/.$name-built"
   fi
   release_lock
 }

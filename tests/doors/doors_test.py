@@ -15,7 +15,10 @@ PNG_START = b"\x89PNG\r\n\x1a\n"
 
 
 def run(door, *arguments, cwd=None):
-    return subprocess.run([ROOT / door, *arguments], cwd=cwd, capture_output=True, text=True, timeout=300)
+    """The door as it is met where there is no screen."""
+    environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    return subprocess.run([ROOT / door, *arguments], cwd=cwd, capture_output=True, text=True, timeout=300,
+                          env=environment)
 
 
 class Kiri(unittest.TestCase):
@@ -70,6 +73,7 @@ class Kirisim(unittest.TestCase):
             place = Path(leaf.stdout.strip())
             self.assertEqual(place.parent.resolve(), Path(folder).resolve())
             self.assertTrue(place.read_bytes().startswith(PNG_START))
+            self.assertIn("no screen", leaf.stderr)
             self.assertIn("leaf", leaf.stderr)
 
     def test_draws_the_given_file(self):
