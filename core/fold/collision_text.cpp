@@ -49,7 +49,7 @@ std::string unfoldFirst(const Turned& turned, FacetId obstacle) {
   return names.empty() ? "" : "unfold " + names + " first, ";
 }
 
-std::string text(Vec3 p) {
+std::string placeText(Vec3 p) {
   return "(" + kiri::text(p.x) + ", " + kiri::text(p.y) + ", " + kiri::text(p.z) + ")";
 }
 
@@ -74,7 +74,7 @@ std::string sentence(const Turned& turned, const Contact& contact, const Collisi
   return "when the fold is at " + kiri::text(c.degrees) + " degrees, " + moving +
          (c.isCertain ? " meets " : " comes so near ") + (c.isCertain ? fixed : "to " + fixed) +
          (c.isCertain ? ", and would pass through it" : " that it may pass through it") + " at " +
-         text(c.place) + " mm of the model; " + unfoldFirst(turned, contact.fixed) +
+         placeText(c.place) + " mm of the model; " + unfoldFirst(turned, contact.fixed) +
          "fold fewer layers, stop before that angle, or tear the paper there";
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-Box boxOf(const Polygon& polygon) {
+Box boxAround(const Polygon& polygon) {
   Box box{polygon[0], polygon[0]};
   for (const Vec2 p : polygon) {
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
@@ -87,7 +87,7 @@ class CellMap {
 
   template <class Visit>
   void forSquares(const Polygon& polygon, const Visit& visit) const {
-    const Box box = boxOf(polygon);
+    const Box box = boxAround(polygon);
     const auto square = [this](double v) {
       return static_cast<std::int64_t>(std::floor(v / square_));
     };
@@ -140,7 +140,7 @@ std::uint32_t deepestOf(const FoldedState& state, const LayerSet& set) {
       for (const Vec2 p : part.points)
         polygon.push_back(plane.pullBack(state.poseOf(facet).apply(p)));
       if (signedArea(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
-      const Box box = boxOf(polygon);
+      const Box box = boxAround(polygon);
       if (polygons.empty()) all = box;
       all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
       all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};

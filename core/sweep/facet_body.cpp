@@ -190,7 +190,7 @@ Body bodyOf(const FoldedState& state, const std::vector<bool>& moves, const Axis
 namespace {
 
 /// Whether the paper goes on straight across the side of a part.
-bool goesOn(const CreasePattern& pattern, const std::vector<bool>& moves, FacetId facet,
+bool runsOn(const CreasePattern& pattern, const std::vector<bool>& moves, FacetId facet,
             std::int32_t tag) {
   if (tag == ConvexPart::kInner) return true;
   return isStraightOn(pattern[pattern[facet].border[static_cast<std::size_t>(tag)].edge], moves);
@@ -282,7 +282,7 @@ std::vector<Patch> insideOf(const FoldedState& state, const std::vector<bool>& m
   for (const ConvexPart& part : parts) {
     for (std::size_t i = 0; i < part.tags.size() && parts.size() > 1; ++i) {
       const BorderSide side{part.points[i], part.points[(i + 1) % part.points.size()]};
-      if (!goesOn(pattern, moves, facet, part.tags[i]) && side.from != side.to)
+      if (!runsOn(pattern, moves, facet, part.tags[i]) && side.from != side.to)
         border.push_back(side);
     }
   }
@@ -290,7 +290,7 @@ std::vector<Patch> insideOf(const FoldedState& state, const std::vector<bool>& m
   std::vector<Patch> patches;
   for (const ConvexPart& part : parts) {
     std::vector<bool> isOpen;
-    for (const std::int32_t tag : part.tags) isOpen.push_back(goesOn(pattern, moves, facet, tag));
+    for (const std::int32_t tag : part.tags) isOpen.push_back(runsOn(pattern, moves, facet, tag));
     const std::vector<Vec2> inside =
         clearOf(takenIn(part, isOpen, margin, eps), border, margin, eps);
     if (inside.size() < 3) continue;

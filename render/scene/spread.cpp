@@ -13,26 +13,26 @@
 namespace kiri {
 namespace {
 
-/// A step between the two sides of a hinge.
-struct Step {
+/// What is between the two sides of a hinge when layers are lifted.
+struct Gap {
   EdgeId hinge;
   double height = 0;  ///< mm
 };
 
-std::vector<Step> stepsOf(const FoldedState& state, const std::vector<Rigid>& lifted) {
-  std::vector<Step> steps;
+std::vector<Gap> gapsOf(const FoldedState& state, const std::vector<Rigid>& lifted) {
+  std::vector<Gap> gaps;
   for (std::size_t e = 0; e < state.pattern.edges.size(); ++e) {
     const Edge& edge = state.pattern.edges[e];
     if (edge.kind != EdgeKind::Hinge) continue;
     const auto lift = [&](FacetId f) { return lifted[f.index].origin - state.poseOf(f).origin; };
     const double height = distance(lift(edge.left), lift(edge.right));
-    if (height > state.tolerance().thin()) steps.push_back({EdgeId(e), height});
+    if (height > state.tolerance().thin()) gaps.push_back({EdgeId(e), height});
   }
   // Strips at one fold lie in one plane; of two as near to the eye the one that comes first is
   // drawn, and it shall be the outer one.
-  std::stable_sort(steps.begin(), steps.end(),
-                   [](const Step& a, const Step& b) { return a.height > b.height; });
-  return steps;
+  std::stable_sort(gaps.begin(), gaps.end(),
+                   [](const Gap& a, const Gap& b) { return a.height > b.height; });
+  return gaps;
 }
 
 /// The strip goes on from the left facet of the hinge as the paper does, up to the right one.
@@ -96,7 +96,7 @@ FoldedState spread(const FoldedState& state, double gap, bool isJoined) {
     for (auto& [level, layer] : byLevel) sets.push_back(std::move(layer));
   }
   if (isJoined) {
-    for (const Step& step : stepsOf(state, lifted)) addStrip(state, lifted, step.hinge, out);
+    for (const Gap& open : gapsOf(state, lifted)) addStrip(state, lifted, open.hinge, out);
   }
   for (std::size_t f = state.pattern.facets.size(); f < out.pattern.facets.size(); ++f) {
     sets.push_back({out.poses[f].normal(), {FacetId(f)}, {}});

@@ -12,7 +12,7 @@ namespace {
 
 using Polygon = std::vector<Vec2>;
 
-std::vector<Polygon> partsOf(const FacetView& view, const Tolerance& tolerance) {
+std::vector<Polygon> convexPartsIn(const FacetView& view, const Tolerance& tolerance) {
   std::vector<Polygon> out;
   for (ConvexPart& part : convexParts(view.region(), tolerance))
     out.push_back(std::move(part.points));
@@ -90,7 +90,7 @@ std::vector<PassingLine> passingLines(const FacetViews& views,
   std::vector<std::vector<Polygon>> parts(all.size());
   std::uint32_t stamp = 0;
   for (const std::uint32_t f : inSight) {
-    parts[f] = partsOf(all[f], views.tolerance());
+    parts[f] = convexPartsIn(all[f], views.tolerance());
     ++stamp;
     grid.visit(all[f].box, [&](std::uint32_t g) {
       if (met[g] == stamp || all[g].set == all[f].set) return;

@@ -8,7 +8,7 @@
 namespace kiri {
 namespace {
 
-constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
 std::int64_t cellOf(double x, double size) {
   return static_cast<std::int64_t>(std::floor(x / size));
@@ -36,25 +36,25 @@ std::uint32_t PointIndex::insert(Vec2 p) {
   const std::int64_t x1 = cellOf(p.x + eps_, size);
   const std::int64_t y0 = cellOf(p.y - eps_, size);
   const std::int64_t y1 = cellOf(p.y + eps_, size);
-  std::uint32_t best = kEnd;
+  std::uint32_t best = kNoPoint;
   double bestDistance = eps_;
   for (std::int64_t y = y0; y <= y1; ++y) {
     for (std::int64_t x = x0; x <= x1; ++x) {
       const auto it = cells_.find(keyOf(x, y));
-      for (std::uint32_t i = it == cells_.end() ? kEnd : it->second; i != kEnd;
+      for (std::uint32_t i = it == cells_.end() ? kNoPoint : it->second; i != kNoPoint;
            i = nextInCell_[i]) {
         const double d = distance(points_[i], p);
-        if (d < bestDistance || (d == bestDistance && best != kEnd && i < best)) {
+        if (d < bestDistance || (d == bestDistance && best != kNoPoint && i < best)) {
           best = i;
           bestDistance = d;
         }
       }
     }
   }
-  if (best != kEnd) return best;
+  if (best != kNoPoint) return best;
   const auto number = static_cast<std::uint32_t>(points_.size());
   const auto [it, isNew] = cells_.try_emplace(keyOf(cellOf(p.x, size), cellOf(p.y, size)), number);
-  nextInCell_.push_back(isNew ? kEnd : it->second);
+  nextInCell_.push_back(isNew ? kNoPoint : it->second);
   it->second = number;
   points_.push_back(p);
   return number;

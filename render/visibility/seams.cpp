@@ -8,7 +8,7 @@ namespace kiri {
 namespace {
 
 constexpr std::uint32_t kNoFacet = HalfSeam::kNoFacet;
-constexpr std::uint32_t kNothing = SeenBeside::kNothing;
+constexpr std::uint32_t kNobody = SeenBeside::kNothing;
 constexpr std::uint32_t kNoHalf = std::numeric_limits<std::uint32_t>::max();
 
 /// The use of a side that tells best where the boundary of `facet` against `other` comes from: its
@@ -50,10 +50,10 @@ class Seams {
   };
 
   void addSide(const Side& side, SeenBeside seen) {
-    const bool isForward = seen.left != kNothing;
+    const bool isForward = seen.left != kNobody;
     if (!isForward) std::swap(seen.left, seen.right);
     addHalf(side, isForward, seen.left, seen.right);
-    if (seen.right != kNothing) {
+    if (seen.right != kNobody) {
       addHalf(side, !isForward, seen.right, seen.left);
     } else {
       halves_.push_back({halves_.back().to, halves_.back().from, kNoFacet, {}});
@@ -67,7 +67,7 @@ class Seams {
     half.to = isForward ? side.to : side.from;
     half.facet = facet;
     half.piece.arc = isForward ? side.arc : reversed(side.arc);
-    if (other != kNothing) half.piece.beyond = views_.all()[other].id;
+    if (other != kNobody) half.piece.beyond = views_.all()[other].id;
     Source source;
     const std::uint32_t u = sourceOf(map_, side, facet, other);
     if (u != SideUse::kEnd) {
