@@ -24,26 +24,29 @@ std::vector<PaperPick> pickStack(const FoldedState& state, const PaneMap& map, V
 
 struct VertexPick {
   VertexId vertex;
-  Spot spot;  ///< the vertex on the uppermost facet that has it
+  Spot spot;  ///< the vertex on the facet under the pointer, else on the uppermost that has it
   double pixels = 0;
 };
 
 /// The vertex nearest to the pixel within `radius` pixels; where several lie on each other that of
-/// the uppermost paper. Vertices covered by other paper are not found.
+/// the uppermost paper. Vertices covered by other paper are not found. The pixel may lie beside the
+/// paper.
 std::optional<VertexPick> pickVertex(const FoldedState& state, const PaneMap& map, Vec2 pixels,
                                      double radius);
 
 struct EdgePick {
   EdgeId edge;
-  Spot spot;  ///< nearest point of the edge, on a facet that has it and is seen there
+  Spot spot;  ///< nearest point of what is seen of the edge, on a facet that has it and is seen
+              ///< there: the one under the pointer, else the uppermost
   double pixels = 0;
 };
 
-/// The edge nearest to the pixel, of those that are seen.
+/// The edge nearest to the pixel, of those that are seen. The pixel may lie beside the paper.
 std::optional<EdgePick> pickEdge(const FoldedState& state, const PaneMap& map, Vec2 pixels,
                                  double radius);
 
-/// Facets, vertices and edges that a rectangle of pixels holds; for rubber bands.
+/// The facets that a rectangle of pixels with corners `a` and `b` holds whole, hidden ones too, by
+/// number; for rubber bands.
 std::vector<FacetId> facetsWithin(const FoldedState& state, const PaneMap& map, Vec2 a, Vec2 b);
 
 }  // namespace kiri

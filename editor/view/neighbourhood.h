@@ -1,0 +1,84 @@
+// The paper around a pixel: what lies there, in which order, and what of it is seen.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "editor/view/picking.h"
+#include "render/visibility/projection.h"
+
+namespace kiri {
+
+/// An edge of a facet as it appears in the pane. Curved edges may come in several parts.
+struct EdgeInView {
+  FacetId facet;
+  EdgeUse use;
+  SeenArc seen;  ///< view coordinates; runs as the use does
+};
+
+/// The facets that appear within some pixels of a place of the pane, looked up once for many
+/// questions. Facets seen edge-on are left out. Keeps references to state and map. Cost: one walk
+/// along all borders; then each question costs the facets near it, and for a stack those that are
+/// tried from the top down.
+class Neighbourhood {
+ public:
+  Neighbourhood(const FoldedState& state, const PaneMap& map, Vec2 pixels, double radius);
+
+  /// The paper seen at a pixel not farther than the radius.
+  std::optional<PaperPick> top(Vec2 pixels) const;
+  /// All paper there, from the eye on.
+  std::vector<PaperPick> stack(Vec2 pixels) const;
+
+  /// The facets that are seen at a point of the pane or in some direction right beside it: at a
+  /// corner, all that meet there and are not covered. Directions are told apart exactly, by the
+  /// edges that pass through the point.
+  std::vector<FacetId> seenAround(Vec2 pixels) const;
+
+  /// True when `a` is over `b` where both appear at the pixel.
+  bool isOver(FacetId a, FacetId b, Vec2 pixels) const;
+
+  /// All facets near, by layer-set.
+  const std::vector<FacetId>& facets() const { return ids_; }
+  /// The edges of the facets near, those of one facet after the other.
+  std::vector<EdgeInView> edges() const;
+
+  const FoldedState& state() const { return state_; }
+  const PaneMap& map() const { return map_; }
+
+ private:
+  struct Near {
+    FacetId id;
+    Box paper;  ///< of the border, in the paper frame
+  };
+  /// Near facets of one layer-set, the uppermost to the eye first as its list says.
+  struct Layers {
+    std::uint32_t set = 0;
+    bool isFlipped = false;
+    std::vector<Near> facets;
+  };
+  struct Hit {
+    PaperPick pick;
+    bool isInside = false;  ///< not on the border
+  };
+
+  void gather(Vec2 pixels, double radius);
+  void sortLayers();
+  std::optional<Hit> hit(const Near& facet, Vec2 pixels) const;
+  std::optional<Hit> topOf(const Layers& layers, Vec2 pixels) const;
+  std::optional<Hit> topHit(Vec2 pixels) const;
+  bool isOverInSet(const Layers& layers, FacetId a, FacetId b) const;
+  void collectDirections(const Near& facet, Vec2 pixels, std::vector<double>& degrees) const;
+
+  const FoldedState& state_;
+  const PaneMap& map_;
+  std::vector<Layers> sets_;
+  std::vector<FacetId> ids_;
+};
+
+/// pickVertex and pickEdge within the radius of a neighbourhood.
+std::optional<VertexPick> pickVertex(const Neighbourhood& near, Vec2 pixels, double radius);
+std::optional<EdgePick> pickEdge(const Neighbourhood& near, Vec2 pixels, double radius);
+
+}  // namespace kiri
