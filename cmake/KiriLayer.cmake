@@ -58,11 +58,7 @@ function(kiri_layer folder)
     set(scope PUBLIC)
     set(own PRIVATE)
     target_link_libraries(${target} PRIVATE kiri_warnings)
-    if(KIRI_SANITIZED)
-      # Half of the compiler's time goes into headers, and nobody edits in this build: eight sources at once. That
-      # names in unnamed namespaces of one room differ is good for readers too.
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    endif()
+    kiri_compile_together(${target})
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/export_formats.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "apps/cli/picture_options.h"
+#include "io/fold_history.h"
 #include "io/gltf_animation.h"
 #include "io/gltf_writer.h"
 #include "io/obj_writer.h"
-#include "io/steps_json.h"
 #include "io/stl_writer.h"
 #include "io/svg_pattern_writer.h"
 #include "render/canvas/png.h"
+#include "render/scene/opaque_image.h"
 
 namespace kiri::cli {
 
@@ -46,18 +45,12 @@ Status checkSolid(const ExportOptions& options, const std::string& format) {
 }
 
 std::vector<FoldFrame> historyOf(const ExportSource& source) {
-  std::vector<FoldFrame> out;
-  for (std::size_t i = 0; i < source.moment.done; ++i) {
-    const Step& step = source.input.model.steps[i];
-    out.push_back({source.replay.outcomes[i].state,
-                   step.title.empty() ? describeStep(step, i + 1) : step.title, step.notes});
-  }
-  if (source.moment.part > 0) {
-    const std::size_t under = source.moment.done;
-    out.push_back({std::make_shared<const FoldedState>(source.state),
-                   "in " + describeStep(source.input.model.steps[under], under + 1), ""});
-  }
-  return out;
+  std::vector<std::shared_ptr<const FoldedState>> after;
+  for (std::size_t i = 0; i < source.moment.done; ++i)
+    after.push_back(source.replay.outcomes[i].state);
+  return foldHistoryOf(
+      source.input.model, after,
+      source.moment.part > 0 ? std::make_shared<const FoldedState>(source.state) : nullptr);
 }
 
 Exported foldOf(const ExportSource& source, const ExportOptions& options) {
@@ -89,21 +82,6 @@ Exported stlOf(const ExportSource& source, const ExportOptions& options) {
   stl.thickness = options.thickness.value_or(stl.thickness);
   stl.isPattern = options.view == "pattern";
   return writeStl(source.state, stl);
-}
-
-/// What is see-through in the image shows the colour of the paper, as in pictures.
-Image overColor(Image image, Color paper) {
-  constexpr int kFull = 255;
-  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
-    const int alpha = image.rgba[i + 3];
-    const std::uint8_t under[] = {paper.red, paper.green, paper.blue};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int mixed = image.rgba[i + k] * alpha + under[k] * (kFull - alpha);
-      image.rgba[i + k] = static_cast<std::uint8_t>((mixed + kFull / 2) / kFull);
-    }
-    image.rgba[i + 3] = kFull;
-  }
-  return image;
 }
 
 GltfSide gltfSide(const SideLook& look) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/geometry/rigid.h"
+#include "editor/tools/tool_fields.h"
 #include "editor/view/picking.h"
 
 namespace kiri {
@@ -204,26 +205,14 @@ void LineHand::addMarks(const Scope& scope, MarkRole role, Marks& marks) const {
 void LineHand::addFields(std::vector<Field>& fields) const {
   if (!line_) return;
   const Vec2 way = line_->to - line_->from;
-  Field size;
-  size.id = "length";
-  size.label = {KIRI_TEXT("editor/tools", "Length"), {}};
-  size.value = length(way);
-  size.least = 0;
-  size.most = 100000;
-  size.unit = "mm";
-  size.help = {KIRI_TEXT("editor/tools", "Length of the drawn line; its first end stays"), {}};
-  fields.push_back(size);
-  Field turn;
-  turn.id = "direction";
-  turn.label = {KIRI_TEXT("editor/tools", "Direction"), {}};
-  turn.value = angleDegrees(way.x, way.y);
-  turn.least = -180;
-  turn.most = 180;
-  turn.step = 15;
-  turn.unit = "°";
-  turn.help = {
-      KIRI_TEXT("editor/tools", "Direction of the line on the sheet, counted from the x axis"), {}};
-  fields.push_back(turn);
+  fields.push_back(numberField(
+      "length", {KIRI_TEXT("editor/tools", "Length"), {}}, length(way), {0, 100000, 1, "mm"},
+      {KIRI_TEXT("editor/tools", "Length of the drawn line; its first end stays"), {}}));
+  fields.push_back(numberField(
+      "direction", {KIRI_TEXT("editor/tools", "Direction"), {}}, angleDegrees(way.x, way.y),
+      {-180, 180, 15, "°"},
+      {KIRI_TEXT("editor/tools", "Direction of the line on the sheet, counted from the x axis"),
+       {}}));
 }
 
 bool LineHand::setField(const std::string& id, const FieldValue& value) {

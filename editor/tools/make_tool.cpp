@@ -1,5 +1,10 @@
 // Which class stands behind each tool.
 // SPDX-License-Identifier: MIT
+#include "editor/tools/angle_tool.h"
+#include "editor/tools/fold_tool.h"
+#include "editor/tools/line_tool.h"
+#include "editor/tools/measure_tool.h"
+#include "editor/tools/select_tool.h"
 #include "editor/tools/tool.h"
 
 namespace kiri {
@@ -22,15 +27,20 @@ class IdleTool final : public Tool {
 std::unique_ptr<Tool> makeTool(ToolId tool) {
   switch (tool) {
     case ToolId::Fold:
+      return std::make_unique<FoldTool>();
     case ToolId::Line:
+      return std::make_unique<LineTool>();
     case ToolId::Angle:
+      return std::make_unique<AngleTool>();
+    case ToolId::Select:
+      return std::make_unique<SelectTool>();
+    case ToolId::Measure:
+      return std::make_unique<MeasureTool>();
     case ToolId::AddEdge:
     case ToolId::Tear:
     case ToolId::Mend:
     case ToolId::StraightCut:
     case ToolId::CurveCut:
-    case ToolId::Select:
-    case ToolId::Measure:
       return std::make_unique<IdleTool>();
   }
   return std::make_unique<IdleTool>();

@@ -20,7 +20,7 @@ using test::fileWithEverything;
 using test::fileWithSteps;
 using test::joinedSteps;
 
-Model modelOf(const std::string& text) {
+Model readBack(const std::string& text) {
   const Result<LoadedModel> loaded = readKiri(text, "test.kiri");
   EXPECT_TRUE(loaded.isOk()) << (loaded.isOk() ? "" : loaded.error().message);
   return loaded.isOk() ? loaded->model : Model{};
@@ -37,15 +37,15 @@ TEST(KiriWriter, KeepsHowAModelOpens) {
 
 TEST(KiriWriter, WritesEveryStepAsItWasRead) {
   const nlohmann::json before = nlohmann::json::parse(fileWithEverything());
-  const nlohmann::json after = nlohmann::json::parse(writeKiri(modelOf(fileWithEverything())));
+  const nlohmann::json after = nlohmann::json::parse(writeKiri(readBack(fileWithEverything())));
   EXPECT_EQ(after["steps"], before["steps"]);
   EXPECT_EQ(after["sheet"], before["sheet"]);
   EXPECT_EQ(after["title"], before["title"]);
 }
 
 TEST(KiriWriter, GivesTheSameBytesAfterReadingThemAgain) {
-  const std::string once = writeKiri(modelOf(fileWithEverything()));
-  EXPECT_EQ(writeKiri(modelOf(once)), once);
+  const std::string once = writeKiri(readBack(fileWithEverything()));
+  EXPECT_EQ(writeKiri(readBack(once)), once);
 }
 
 TEST(KiriWriter, WritesEverySheetAsItWasRead) {
@@ -54,9 +54,9 @@ TEST(KiriWriter, WritesEverySheetAsItWasRead) {
       {R"({"shape":"square","side":12.5})", R"({"shape":"rectangle","width":210,"height":297})",
        R"({"shape":"disc","diameter":80})", R"({"shape":"polygon","outline":[[0,0],[9,0],[0,9]]})",
        R"({"shape":"polygon","outline":[[0,0],[9,0],[0,9]],"holes":[[[1,1],[2,1],[1,2]]],"grain":"long"})"}) {
-    const std::string text = writeKiri(modelOf(test::fileWithSheet(sheet)));
+    const std::string text = writeKiri(readBack(test::fileWithSheet(sheet)));
     EXPECT_EQ(nlohmann::json::parse(text)["sheet"], nlohmann::json::parse(sheet));
-    EXPECT_EQ(writeKiri(modelOf(text)), text);
+    EXPECT_EQ(writeKiri(readBack(text)), text);
   }
 }
 
@@ -69,14 +69,14 @@ TEST(KiriWriter, KeepsUnknownFieldsWhereTheyStood) {
        "layers":{"facets":[[1,2],{"model":[3,4],"why":"seen"}],"all?":false},
        "move":{"point":[3,4],"hint":null},"speed":1.50},
       {"do":"curve cut","curve":{"paper":[[0,0],[1,2],[3,4],[5,6]],"tool":"knife"},"keep":"all"}]})";
-  const std::string written = writeKiri(modelOf(text));
+  const std::string written = writeKiri(readBack(text));
   EXPECT_EQ(nlohmann::json::parse(written), nlohmann::json::parse(text));
   EXPECT_NE(written.find("1.50"), std::string::npos) << "unknown numbers keep their digits";
-  EXPECT_EQ(writeKiri(modelOf(written)), written);
+  EXPECT_EQ(writeKiri(readBack(written)), written);
 }
 
 TEST(KiriWriter, DropsUnknownFieldsOfThingsThatAreGone) {
-  Model model = modelOf(fileWithSteps(
+  Model model = readBack(fileWithSteps(
       R"({"do":"fold","line":{"paper":[[1,2],[3,4]],"ink":"red"},"type":"valley","move":"left","own":1})"));
   model.steps[0].action = MoveStep{{1, 2}};
   const nlohmann::json step = nlohmann::json::parse(writeKiri(model))["steps"][0];
@@ -85,7 +85,7 @@ TEST(KiriWriter, DropsUnknownFieldsOfThingsThatAreGone) {
 
 TEST(KiriWriter, LaysOutForPeople) {
   const std::string text =
-      writeKiri(modelOf(fileWithSteps(joinedSteps({everyStep()[19], everyStep()[16]}))));
+      writeKiri(readBack(fileWithSteps(joinedSteps({everyStep()[19], everyStep()[16]}))));
   EXPECT_EQ(text, R"({
   "format": "kiri",
   "version": 1,

@@ -57,7 +57,7 @@ double rowHeight(const Box& box, int y, int height) {
 }
 
 /// A facet and where it hides what.
-struct Sheet {
+struct Plate {
   FacetId facet;
   std::vector<Polygon> outline;
   Vec3 point;
@@ -66,7 +66,7 @@ struct Sheet {
 };
 
 struct Hit {
-  const Sheet* sheet;
+  const Plate* sheet;
   double nearness;
 };
 
@@ -77,10 +77,10 @@ class Viewer {
     for (std::size_t f = 0; f < state.pattern.facets.size(); ++f) add(FacetId(f));
   }
 
-  const std::vector<Sheet>& sheets() const { return sheets_; }
+  const std::vector<Plate>& sheets() const { return sheets_; }
 
   /// Larger is nearer.
-  double nearnessOf(const Sheet& sheet, Vec2 p) const {
+  double nearnessOf(const Plate& sheet, Vec2 p) const {
     if (eye_.distance == 0) {
       const Vec3 start = eye_.right * p.x + eye_.up * p.y;
       return dot(sheet.point - start, sheet.normal) / dot(eye_.toEye, sheet.normal);
@@ -108,7 +108,7 @@ class Viewer {
     const Rigid& pose = state_.poseOf(f);
     const Vec3 sight = eye_.distance == 0 ? eye_.toEye : (at_ - pose.origin) / eye_.distance;
     if (std::abs(dot(pose.normal(), sight)) < 1e-4) return;
-    Sheet sheet{f, {}, pose.origin, pose.normal(), true};
+    Plate sheet{f, {}, pose.origin, pose.normal(), true};
     const LayerSet& set = state_.layers.sets()[state_.layers.setOf(f)];
     sheet.upIsNear = dot(set.normal, sight) > 0;
     for (const auto& loop : regionOf(state_.pattern, f).loops) {
@@ -141,7 +141,7 @@ class Viewer {
   const FoldedState& state_;
   const Eye& eye_;
   Vec3 at_;
-  std::vector<Sheet> sheets_;
+  std::vector<Plate> sheets_;
 };
 
 DepthPicture blank(int width, int height) {
@@ -161,7 +161,7 @@ DepthPicture depthPicture(const FoldedState& state, const Eye& eye, const Box& b
   for (int y = 0; y < height; ++y) {
     const double level = rowHeight(box, y, height);
     for (std::vector<Hit>& hits : row) hits.clear();
-    for (const Sheet& sheet : viewer.sheets()) {
+    for (const Plate& sheet : viewer.sheets()) {
       visitRow(sheet.outline, level, box, width, [&](int x) {
         const Vec2 p{box.low.x + (box.high.x - box.low.x) * (x + 0.5) / width, level};
         row[static_cast<std::size_t>(x)].push_back({&sheet, viewer.nearnessOf(sheet, p)});

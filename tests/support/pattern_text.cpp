@@ -21,7 +21,7 @@ bool holds(const std::vector<Vec2>& corners, Vec2 p) {
   return inside;
 }
 
-double areaOf(const std::vector<Vec2>& corners) {
+double cornersArea(const std::vector<Vec2>& corners) {
   double twice = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
     twice += cross(corners[i], corners[(i + 1) % corners.size()]);
@@ -108,7 +108,7 @@ FoldedState drawnState(const std::vector<Vec2>& vertices, const std::vector<Draw
     }
     const bool isHole =
         std::any_of(holes.begin(), holes.end(), [&](Vec2 p) { return holds(corners, p); });
-    if (areaOf(corners) <= 0 || isHole) continue;
+    if (cornersArea(corners) <= 0 || isHole) continue;
     const FacetId id(pattern.facets.size());
     for (const EdgeUse use : facet.border)
       (use.isReversed ? pattern[use.edge].right : pattern[use.edge].left) = id;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kThin = 1e-9;
 
-double areaOf(const std::vector<Vec2>& polygon) {
+double polygonArea(const std::vector<Vec2>& polygon) {
   double twice = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
     twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
@@ -81,7 +81,7 @@ void comparePlace(const ReferenceFacet& facet, FacetId f, const FoldedState& sta
                   std::vector<std::string>& found) {
   const double size = state.tolerance().sheetSize();
   const std::string name = "facet " + std::to_string(f.index);
-  if (std::abs(areaOf(facet.folded) - test::areaOf(flatLoopsOf(state.pattern, f))) >
+  if (std::abs(polygonArea(facet.folded) - test::areaOf(flatLoopsOf(state.pattern, f))) >
       1e-7 * size * size) {
     found.push_back(name + " has another area");
   }
@@ -115,8 +115,8 @@ ReferenceStack folded(const ReferenceStack& stack, Vec2 a, Vec2 b, bool isValley
     ReferenceFacet right = facet;
     left.folded = clipped(facet.folded, a, b, 1);
     right.folded = clipped(facet.folded, a, b, -1);
-    if (areaOf(right.folded) > kThin) resting.push_back(right);
-    if (areaOf(left.folded) > kThin) turned.push_back(turnedOver(left, a, b));
+    if (polygonArea(right.folded) > kThin) resting.push_back(right);
+    if (polygonArea(left.folded) > kThin) turned.push_back(turnedOver(left, a, b));
   }
   std::reverse(turned.begin(), turned.end());
   ReferenceStack& below = isValley ? resting : turned;
@@ -139,7 +139,7 @@ std::pair<Vec2, Vec2> boxOf(const ReferenceStack& stack) {
 
 double areaOf(const ReferenceStack& stack) {
   double sum = 0;
-  for (const ReferenceFacet& facet : stack) sum += areaOf(facet.folded);
+  for (const ReferenceFacet& facet : stack) sum += polygonArea(facet.folded);
   return sum;
 }
 

@@ -8,32 +8,32 @@
 namespace kiri::test {
 namespace {
 
-class Writer {
+class StateWriter {
  public:
-  Writer& operator<<(double value) {
+  StateWriter& operator<<(double value) {
     char buffer[40];
     std::snprintf(buffer, sizeof buffer, " %a", value);
     out_ << buffer;
     return *this;
   }
-  Writer& operator<<(const char* word) {
+  StateWriter& operator<<(const char* word) {
     out_ << word;
     return *this;
   }
-  Writer& operator<<(const std::string& word) {
+  StateWriter& operator<<(const std::string& word) {
     out_ << " '" << word << "'";
     return *this;
   }
-  Writer& operator<<(std::uint32_t value) {
+  StateWriter& operator<<(std::uint32_t value) {
     out_ << ' ' << value;
     return *this;
   }
-  Writer& operator<<(bool value) { return *this << (value ? 1u : 0u); }
-  Writer& operator<<(Vec2 v) { return *this << v.x << v.y; }
-  Writer& operator<<(Vec3 v) { return *this << v.x << v.y << v.z; }
-  Writer& operator<<(const Rigid& r) { return *this << r.x << r.y << r.z << r.origin; }
+  StateWriter& operator<<(bool value) { return *this << (value ? 1u : 0u); }
+  StateWriter& operator<<(Vec2 v) { return *this << v.x << v.y; }
+  StateWriter& operator<<(Vec3 v) { return *this << v.x << v.y << v.z; }
+  StateWriter& operator<<(const Rigid& r) { return *this << r.x << r.y << r.z << r.origin; }
   template <class Tag>
-  Writer& operator<<(Id<Tag> id) {
+  StateWriter& operator<<(Id<Tag> id) {
     return *this << id.index;
   }
   std::string text() const { return out_.str(); }
@@ -42,7 +42,7 @@ class Writer {
   std::ostringstream out_;
 };
 
-void write(Writer& out, const CreasePattern& pattern) {
+void write(StateWriter& out, const CreasePattern& pattern) {
   out << "size" << pattern.tolerance.sheetSize() << "\n";
   for (const Vec2& v : pattern.vertices) out << "vertex" << v << "\n";
   for (const Edge& e : pattern.edges) {
@@ -60,7 +60,7 @@ void write(Writer& out, const CreasePattern& pattern) {
   for (const CurveControls& c : pattern.curves) out << "curve" << c.control1 << c.control2 << "\n";
 }
 
-void write(Writer& out, const LayerOrder& layers) {
+void write(StateWriter& out, const LayerOrder& layers) {
   for (const LayerSet& set : layers.sets()) {
     out << "set" << set.normal << " upward";
     for (const FacetId f : set.upward) out << f;
@@ -73,7 +73,7 @@ void write(Writer& out, const LayerOrder& layers) {
 }  // namespace
 
 std::string textOf(const FoldedState& state) {
-  Writer out;
+  StateWriter out;
   write(out, state.pattern);
   for (const FoldLine& line : state.lines)
     out << "line" << line.name << line.foldedAmount << line.isValley << "\n";

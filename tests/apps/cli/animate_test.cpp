@@ -27,7 +27,7 @@ constexpr const char* kModel =
 {"do": "fold", "name": "b", "line": {"model": [[50, 50], [100, 50]]}, "type": "valley", "move": "left"},
 {"do": "unfold", "folds": ["b"]}]})";
 
-struct Answer {
+struct Outcome {
   int code = 0;
   std::string err;
 };
@@ -49,7 +49,7 @@ class Animate : public ::testing::Test {
     return count;
   }
   /// kiri animate with small frames; stops after asking `patience` times.
-  Answer animate(const std::vector<std::string>& more, int patience = 1000000) const {
+  Outcome animate(const std::vector<std::string>& more, int patience = 1000000) const {
     std::vector<std::string> arguments = {"animate", path("m.kiri")};
     if (std::find(more.begin(), more.end(), "--size") == more.end()) {
       arguments.insert(arguments.end(), {"--size", "64x48"});
@@ -89,7 +89,7 @@ bool isThere(const std::string& program) {
 
 TEST_F(Animate, WritesNumberedPicturesOfEveryFrame) {
   // Rests of 0.6, 0.5, 0.5 and 1.2 s, three half turns of 1 s: 5.8 s at 5 frames a second.
-  const Answer answer =
+  const Outcome answer =
       animate({"--fps", "5", "--speed", "180", "--hold", "0.5", "-o", path("f_%03d.png")});
   ASSERT_EQ(answer.code, kDone) << answer.err;
   EXPECT_EQ(answer.err, "");
@@ -114,7 +114,7 @@ TEST_F(Animate, MakesFilmsThatFfprobeReads) {
   if (!isThere("ffmpeg") || !isThere("ffprobe")) GTEST_SKIP() << "ffmpeg is not installed";
   for (const std::string format : {"mp4", "gif"}) {
     const std::string film = path("film." + format);
-    const Answer answer =
+    const Outcome answer =
         animate({"--fps", "10", "--speed", "180", "--hold", "0.5", "--turntable", "-o", film});
     ASSERT_EQ(answer.code, kDone) << answer.err;
     EXPECT_EQ(answerOf("ffprobe -v error -count_frames -of csv=p=0 -show_entries "
@@ -129,7 +129,7 @@ TEST_F(Animate, LeavesNothingBehindWhenItIsStopped) {
   for (const std::string name : {"f.mp4", "f.gif", "f_%d.png"}) {
     for (const int patience : {0, 2, 40, 150}) {
       if (name != "f_%d.png" && !isThere("ffmpeg")) continue;
-      const Answer answer = animate({"--fps", "20", "-o", path(name)}, patience);
+      const Outcome answer = animate({"--fps", "20", "-o", path(name)}, patience);
       EXPECT_EQ(answer.code, kCancelled) << name << " " << patience << answer.err;
       EXPECT_EQ(answer.err, "error: stopped; nothing was written\n");
       EXPECT_EQ(fileCount(), 1u) << name << " " << patience;
@@ -164,13 +164,13 @@ TEST_F(Animate, SaysWhatIsWrong) {
       {{"-o", out, "--speed", "0.001"}, "choose a higher --speed"},
   };
   for (const auto& [arguments, sentence] : cases) {
-    const Answer answer = animate(arguments);
+    const Outcome answer = animate(arguments);
     EXPECT_EQ(answer.code, kBadUsage) << answer.err;
     EXPECT_NE(answer.err.find(sentence), std::string::npos)
         << answer.err << "should say: " << sentence;
   }
   EXPECT_EQ(fileCount(), 1u);
-  const Answer answer = animate({"-o", path("nowhere/f.mp4")});
+  const Outcome answer = animate({"-o", path("nowhere/f.mp4")});
   EXPECT_EQ(answer.code, kCannotWrite) << answer.err;
   EXPECT_EQ(animate({"-o", path("nowhere/f_%d.png")}).code, kCannotWrite);
 }

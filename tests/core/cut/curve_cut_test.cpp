@@ -19,7 +19,7 @@ const std::vector<Vec2> kArchControls = {{-20, 40}, {10, 70}, {40, 55},
                                          {60, 80},  {90, 60}, {120, 75}};
 
 /// Area under a chain of pieces, by the trapezoid rule on many chords.
-double areaOf(const std::vector<Piece>& ring) {
+double ringArea(const std::vector<Piece>& ring) {
   double twice = 0;
   for (const Piece& piece : ring) {
     Vec2 before = piece.p[0];
@@ -36,7 +36,7 @@ double areaOf(const std::vector<Piece>& ring) {
 }
 
 TEST(CurveCut, ClosedInOneFacetKeepsTheInsideOrTheOutside) {
-  const double ring = areaOf(closedSplinePieces(kRingControls));
+  const double ring = ringArea(closedSplinePieces(kRingControls));
   const FoldedState inside = run(std::string("square 100; ") + kRing + "keep 50,50");
   EXPECT_TRUE(isClean(inside));
   EXPECT_NEAR(test::areaOf(inside), ring, 1e-3);

@@ -11,7 +11,7 @@ namespace {
 using test::polyline;
 using test::Random;
 
-const Tolerance kTolerance(141.4);
+const Tolerance kNear(141.4);
 
 /// Every crossing of dense polylines: a lower bound that random arcs reach, as they hardly ever
 /// graze.
@@ -38,7 +38,7 @@ std::vector<Meeting> crossingsOfPolylines(const Arc& a, const Arc& b) {
 
 void expectSound(const std::vector<Meeting>& found, const Arc& a, const Arc& b) {
   for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_LE(distance(pointAt(a, found[i].t), pointAt(b, found[i].u)), kTolerance.length());
+    EXPECT_LE(distance(pointAt(a, found[i].t), pointAt(b, found[i].u)), kNear.length());
     EXPECT_LE(found[i > 0 ? i - 1 : i].t, found[i].t);
   }
 }
@@ -50,7 +50,7 @@ bool hasNear(const std::vector<Meeting>& found, Meeting m) {
 }
 
 void expectLikePolylines(const Arc& a, const Arc& b, int number) {
-  const std::vector<Meeting> found = meetings(a, b, kTolerance);
+  const std::vector<Meeting> found = meetings(a, b, kNear);
   const std::vector<Meeting> expected = crossingsOfPolylines(a, b);
   expectSound(found, a, b);
   for (const Meeting& m : expected)
@@ -88,8 +88,8 @@ TEST(Meetings, AreTheSameWithTheArcsExchanged) {
   for (int i = 0; i < 500; ++i) {
     const Arc a = i % 3 == 0 ? random.line() : random.cubic();
     const Arc b = random.cubic();
-    const std::vector<Meeting> forth = meetings(a, b, kTolerance);
-    std::vector<Meeting> back = meetings(b, a, kTolerance);
+    const std::vector<Meeting> forth = meetings(a, b, kNear);
+    std::vector<Meeting> back = meetings(b, a, kNear);
     for (Meeting& m : back) std::swap(m.t, m.u);
     std::sort(back.begin(), back.end(),
               [](const Meeting& m, const Meeting& n) { return m.t < n.t; });
@@ -102,9 +102,9 @@ TEST(Meetings, OfALineThroughEndsAreExactlyTheEnds) {
   Random random(5);
   for (int i = 0; i < 500; ++i) {
     const Arc curve = random.cubic();
-    const double off = 0.5 * kTolerance.length();
+    const double off = 0.5 * kNear.length();
     const Vec2 end = curve.end + test::polar(off, random.in(0, 1));
-    const std::vector<Meeting> found = meetings(Arc::line(end, random.point()), curve, kTolerance);
+    const std::vector<Meeting> found = meetings(Arc::line(end, random.point()), curve, kNear);
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(found[0].t, 0);
     EXPECT_EQ(found[0].u, 1);
@@ -119,10 +119,10 @@ TEST(Meetings, OfAnEndOnAnArcHaveThatEnd) {
     const Vec2 p = pointAt(b, u);
     const Arc a = i % 3 == 0 ? Arc::line(random.point(), p)
                              : Arc::cubic(random.point(), random.point(), random.point(), p);
-    const std::vector<Meeting> found = meetings(a, b, kTolerance);
+    const std::vector<Meeting> found = meetings(a, b, kNear);
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(found.back().t, 1);
-    EXPECT_LT(distance(pointAt(b, found.back().u), p), kTolerance.length());
+    EXPECT_LT(distance(pointAt(b, found.back().u), p), kNear.length());
     EXPECT_EQ(found.size() % 1, 0U);
     expectSound(found, a, b);
   }
@@ -135,10 +135,10 @@ TEST(Meetings, OfALineThatTouchesAreOne) {
     const double u = random.in(0.1, 0.9);
     const Vec2 d = normalized(tangentAt(curve, u));
     const Vec2 p = pointAt(curve, u);
-    const double shift = random.in(-0.9, 0.9) * kTolerance.length();
+    const double shift = random.in(-0.9, 0.9) * kNear.length();
     const Arc line =
         Arc::line(p - d * 3 + perpendicular(d) * shift, p + d * 3 + perpendicular(d) * shift);
-    const std::vector<Meeting> found = meetings(line, curve, kTolerance);
+    const std::vector<Meeting> found = meetings(line, curve, kNear);
     const auto nearby = std::count_if(found.begin(), found.end(), [&](const Meeting& m) {
       return distance(pointAt(curve, m.u), p) < 0.05;
     });
@@ -163,7 +163,7 @@ TEST(Meetings, OfCubicsThatTouchAreOne) {
     // middle is at p.
     const Arc b =
         Arc::cubic(p - d * 8 + n * 6, p - d * 3 - n * 2, p + d * 3 - n * 2, p + d * 8 + n * 6);
-    const std::vector<Meeting> found = meetings(a, b, kTolerance);
+    const std::vector<Meeting> found = meetings(a, b, kNear);
     const auto nearby = std::count_if(found.begin(), found.end(), [&](const Meeting& m) {
       return distance(pointAt(a, m.t), p) < 0.02;
     });
@@ -182,7 +182,7 @@ TEST(Meetings, OfACubicWithItselfAreItsEnds) {
       // The same cut seen through another layer: equal but for rounding.
       Arc b = isBackwards ? reversed(a) : a;
       b.control1 = b.control1 + Vec2{1e-13, -1e-13};
-      const std::vector<Meeting> found = meetings(a, b, kTolerance);
+      const std::vector<Meeting> found = meetings(a, b, kNear);
       ASSERT_GE(found.size(), 2U) << i;
       EXPECT_TRUE(found.front().t == 0 && found.front().u == (isBackwards ? 1 : 0));
       EXPECT_TRUE(found.back().t == 1 && found.back().u == (isBackwards ? 0 : 1));
@@ -198,7 +198,7 @@ TEST(Meetings, OfOverlappingPartsAreTheEndsOfTheCommonStretch) {
         Arc::cubic({0, 0}, {30, random.in(20, 60)}, {60, random.in(-60, 60)}, {100, 10});
     const Arc a = part(whole, 0, 0.7);
     const Arc b = i % 2 == 0 ? part(whole, 0.3, 1) : reversed(part(whole, 0.3, 1));
-    const std::vector<Meeting> found = meetings(a, b, kTolerance);
+    const std::vector<Meeting> found = meetings(a, b, kNear);
     ASSERT_EQ(found.size(), 2U) << i;
     EXPECT_NEAR(found[0].t, 3.0 / 7, 1e-9);
     EXPECT_EQ(found[0].u, i % 2 == 0 ? 0 : 1);
@@ -209,7 +209,7 @@ TEST(Meetings, OfOverlappingPartsAreTheEndsOfTheCommonStretch) {
 
 TEST(Meetings, OfOverlappingLinesAreTheEndsOfTheCommonStretch) {
   const std::vector<Meeting> found =
-      meetings(Arc::line({0, 0}, {80, 60}), Arc::line({60, 45}, {-20, -15}), kTolerance);
+      meetings(Arc::line({0, 0}, {80, 60}), Arc::line({60, 45}, {-20, -15}), kNear);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].t, 0);
   EXPECT_NEAR(found[0].u, 0.75, 1e-15);
@@ -219,11 +219,11 @@ TEST(Meetings, OfOverlappingLinesAreTheEndsOfTheCommonStretch) {
 
 TEST(Meetings, OfAStraightCubicAndALineAlongItAreTheEnds) {
   const Arc straight = Arc::cubic({0, 0}, {20, 10}, {50, 25}, {80, 40});
-  const std::vector<Meeting> found = meetings(straight, Arc::line({40, 20}, {120, 60}), kTolerance);
+  const std::vector<Meeting> found = meetings(straight, Arc::line({40, 20}, {120, 60}), kNear);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].u, 0);
   EXPECT_EQ(found[1].t, 1);
-  EXPECT_TRUE(lineMeetings(straight, {-2, -1}, {2, 1}, kTolerance).empty());
+  EXPECT_TRUE(lineMeetings(straight, {-2, -1}, {2, 1}, kNear).empty());
 }
 
 TEST(Meetings, OfNeighboursOnASmoothCurveAreTheirJoint) {
@@ -232,7 +232,7 @@ TEST(Meetings, OfNeighboursOnASmoothCurveAreTheirJoint) {
     const Arc whole = Arc::cubic({0, 0}, {random.in(20, 40), random.in(-60, 60)},
                                  {random.in(50, 80), random.in(-60, 60)}, {100, 10});
     const double t = random.in(0.1, 0.9);
-    const std::vector<Meeting> found = meetings(part(whole, 0, t), part(whole, t, 1), kTolerance);
+    const std::vector<Meeting> found = meetings(part(whole, 0, t), part(whole, t, 1), kNear);
     ASSERT_EQ(found.size(), 1U) << i;
     EXPECT_EQ(found[0].t, 1);
     EXPECT_EQ(found[0].u, 0);
@@ -241,7 +241,7 @@ TEST(Meetings, OfNeighboursOnASmoothCurveAreTheirJoint) {
 
 TEST(Meetings, FindTheLoopOfACurveInItsHalves) {
   const Arc loop = Arc::cubic({0, 0}, {120, 80}, {-20, 80}, {100, 0});
-  const std::vector<Meeting> found = meetings(part(loop, 0, 0.5), part(loop, 0.5, 1), kTolerance);
+  const std::vector<Meeting> found = meetings(part(loop, 0, 0.5), part(loop, 0.5, 1), kNear);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_LT(distance(pointAt(part(loop, 0, 0.5), found[0].t),
                      {50, pointAt(part(loop, 0, 0.5), found[0].t).y}),
@@ -259,7 +259,7 @@ TEST(Meetings, OfArcsSideBySideEndSoon) {
       Arc b = a;
       for (Vec2* p : {&b.start, &b.control1, &b.control2, &b.end})
         *p = *p + test::polar(gap, random.in(0, 1));
-      expectSound(meetings(a, b, kTolerance), a, b);
+      expectSound(meetings(a, b, kNear), a, b);
     }
   }
 }
@@ -268,11 +268,11 @@ TEST(Meetings, OfArcsWithFoldedControlsAreFound) {
   // Controls on the ends: the speed there is zero.
   const Arc a = Arc::cubic({0, 0}, {0, 0}, {100, 100}, {100, 100});
   const Arc b = Arc::cubic({0, 100}, {0, 100}, {100, 0}, {100, 0});
-  const std::vector<Meeting> found = meetings(a, b, kTolerance);
+  const std::vector<Meeting> found = meetings(a, b, kNear);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].t, 0.5, 1e-12);
   const std::vector<Meeting> corner =
-      meetings(a, Arc::cubic({0, 0}, {0, 0}, {50, 0}, {100, 0}), kTolerance);
+      meetings(a, Arc::cubic({0, 0}, {0, 0}, {50, 0}, {100, 0}), kNear);
   ASSERT_EQ(corner.size(), 1U);
   EXPECT_EQ(corner[0].t, 0);
   EXPECT_EQ(corner[0].u, 0);
@@ -284,9 +284,9 @@ TEST(LineMeetings, AreRootsInOrder) {
     const Arc arc = i % 4 == 0 ? random.line() : random.cubic();
     const Vec2 p = random.point();
     const Vec2 d = test::polar(random.in(0.1, 50), random.in(0, 1));
-    const std::vector<double> found = lineMeetings(arc, p, d, kTolerance);
+    const std::vector<double> found = lineMeetings(arc, p, d, kNear);
     for (const double t : found) {
-      EXPECT_LT(std::abs(cross(d, pointAt(arc, t) - p)) / length(d), kTolerance.length());
+      EXPECT_LT(std::abs(cross(d, pointAt(arc, t) - p)) / length(d), kNear.length());
     }
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     const auto side = [&](Vec2 q) { return cross(d, q - p) > 0; };
@@ -303,21 +303,20 @@ TEST(LineMeetings, OfMirroredArcsAreTheSameBits) {
         Arc::cubic(mirror(arc.start), mirror(arc.control1), mirror(arc.control2), mirror(arc.end));
     const Vec2 p = random.point();
     const Vec2 d = test::polar(1, random.in(0, 1));
-    EXPECT_EQ(lineMeetings(arc, p, d, kTolerance),
-              lineMeetings(image, mirror(p), mirror(d), kTolerance));
+    EXPECT_EQ(lineMeetings(arc, p, d, kNear), lineMeetings(image, mirror(p), mirror(d), kNear));
   }
 }
 
 TEST(LineMeetings, HaveTouchesOnce) {
   const Arc arch = Arc::cubic({0, 0}, {0, 40}, {100, 40}, {100, 0});  // top at y = 30
-  EXPECT_EQ(lineMeetings(arch, {0, 30}, {1, 0}, kTolerance), std::vector<double>{0.5});
-  EXPECT_EQ(lineMeetings(arch, {0, 30 - 0.9 * kTolerance.length()}, {1, 0}, kTolerance).size(), 1U);
-  EXPECT_EQ(lineMeetings(arch, {0, 30 + 0.9 * kTolerance.length()}, {1, 0}, kTolerance).size(), 1U);
-  EXPECT_EQ(lineMeetings(arch, {0, 30 + 1.1 * kTolerance.length()}, {1, 0}, kTolerance).size(), 0U);
-  EXPECT_EQ(lineMeetings(arch, {0, 0}, {1, 0}, kTolerance), (std::vector<double>{0, 1}));
+  EXPECT_EQ(lineMeetings(arch, {0, 30}, {1, 0}, kNear), std::vector<double>{0.5});
+  EXPECT_EQ(lineMeetings(arch, {0, 30 - 0.9 * kNear.length()}, {1, 0}, kNear).size(), 1U);
+  EXPECT_EQ(lineMeetings(arch, {0, 30 + 0.9 * kNear.length()}, {1, 0}, kNear).size(), 1U);
+  EXPECT_EQ(lineMeetings(arch, {0, 30 + 1.1 * kNear.length()}, {1, 0}, kNear).size(), 0U);
+  EXPECT_EQ(lineMeetings(arch, {0, 0}, {1, 0}, kNear), (std::vector<double>{0, 1}));
   // An inflection whose tangent is the line.
   const Arc wave = Arc::cubic({-1, -1}, {-1.0 / 3, 1.0 / 3 * 3}, {1.0 / 3, -1}, {1, 1});
-  EXPECT_FALSE(lineMeetings(wave, {0, 0}, {1, 0}, kTolerance).empty());
+  EXPECT_FALSE(lineMeetings(wave, {0, 0}, {1, 0}, kNear).empty());
 }
 
 }  // namespace

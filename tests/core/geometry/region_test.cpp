@@ -17,7 +17,7 @@ using test::Random;
 using test::star;
 using test::turned;
 
-const Tolerance kTolerance(141.4);
+const Tolerance kOfSheet(141.4);
 
 /// A kind of region for each number: stars, combs, curved, with holes.
 Region randomRegion(Random& random, int kind) {
@@ -89,7 +89,7 @@ TEST(Locate, AgreesWithDensePolygons) {
     for (int k = 0; k < 200; ++k) {
       const Vec2 p{random.in(-5, 105), random.in(-5, 105)};
       if (test::distanceTo(dense, p) < 0.01) continue;
-      EXPECT_EQ(locate(region, p, kTolerance.length()),
+      EXPECT_EQ(locate(region, p, kOfSheet.length()),
                 test::isInside(dense, p) ? Where::Inside : Where::Outside);
       ++checked;
     }
@@ -105,7 +105,7 @@ TEST(Locate, FindsTheBorderWithinTheDistanceAndNotBeyond) {
       for (const Arc& arc : loop) {
         const double t = random.in(0, 1);
         const Vec2 p = pointAt(arc, t);
-        EXPECT_EQ(locate(region, p, kTolerance.length()), Where::OnBorder);
+        EXPECT_EQ(locate(region, p, kOfSheet.length()), Where::OnBorder);
         const Vec2 out = perpendicular(normalized(tangentAt(arc, t)));
         const double reach = random.in(1e-7, 1e-5);
         EXPECT_EQ(locate(region, p + out * (0.98 * reach), reach), Where::OnBorder);
@@ -143,15 +143,15 @@ TEST(InteriorPoint, IsInsideAndNotNearTheBorder) {
   Random random(5);
   for (int i = 0; i < 200; ++i) {
     const Region region = randomRegion(random, i);
-    const Vec2 p = interiorPoint(region, kTolerance);
+    const Vec2 p = interiorPoint(region, kOfSheet);
     EXPECT_EQ(locate(region, p, 0.1), Where::Inside) << i;
-    EXPECT_EQ(interiorPoint(region, kTolerance), p);
+    EXPECT_EQ(interiorPoint(region, kOfSheet), p);
   }
 }
 
 TEST(InteriorPoint, OfAConvexPolygonIsItsCentroid) {
   const Region triangle{{loopThrough({{0, 0}, {9, 0}, {0, 6}})}};
-  EXPECT_LT(distance(interiorPoint(triangle, kTolerance), {3, 2}), 1e-14);
+  EXPECT_LT(distance(interiorPoint(triangle, kOfSheet), {3, 2}), 1e-14);
 }
 
 TEST(InteriorPoint, IsInsideOfThinCrescents) {
@@ -159,14 +159,14 @@ TEST(InteriorPoint, IsInsideOfThinCrescents) {
     const Arc outer = Arc::cubic({0, 0}, {30, -40}, {70, -40}, {100, 0});
     const Arc inner = Arc::cubic({100, 0}, {70, -40 + width}, {30, -40 + width}, {0, 0});
     const Region region{{{outer, inner}}};
-    EXPECT_EQ(locate(region, interiorPoint(region, kTolerance), kTolerance.length()), Where::Inside)
+    EXPECT_EQ(locate(region, interiorPoint(region, kOfSheet), kOfSheet.length()), Where::Inside)
         << width;
   }
 }
 
 TEST(IsConvexPolygon, HoldsForConvexLoopsOfStraightSides) {
   const auto holds = [](const std::vector<Vec2>& p) {
-    return isConvexPolygon({{loopThrough(p)}}, kTolerance);
+    return isConvexPolygon({{loopThrough(p)}}, kOfSheet);
   };
   EXPECT_TRUE(holds({{0, 0}, {1, 0}, {0, 1}}));
   EXPECT_TRUE(holds({{0, 0}, {5, 0}, {10, 0}, {10, 10}, {5, 10}, {0, 10}}));  // collinear corners
@@ -177,10 +177,10 @@ TEST(IsConvexPolygon, HoldsForConvexLoopsOfStraightSides) {
   EXPECT_FALSE(holds({{0, 10}, {-6, -8}, {9.5, 3}, {-9.5, 3}, {6, -8}}));     // goes round twice
   Region curved = {{loopThrough({{0, 0}, {10, 0}, {10, 10}, {0, 10}})}};
   curved.loops[0][0] = Arc::cubic({0, 0}, {3, -3}, {7, -3}, {10, 0});
-  EXPECT_FALSE(isConvexPolygon(curved, kTolerance));
+  EXPECT_FALSE(isConvexPolygon(curved, kOfSheet));
   Region holed = {{loopThrough({{0, 0}, {10, 0}, {10, 10}, {0, 10}})}};
   holed.loops.push_back(turned(loopThrough({{4, 4}, {6, 4}, {6, 6}})));
-  EXPECT_FALSE(isConvexPolygon(holed, kTolerance));
+  EXPECT_FALSE(isConvexPolygon(holed, kOfSheet));
 }
 
 }  // namespace

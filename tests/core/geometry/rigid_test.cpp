@@ -20,9 +20,9 @@ double difference(const Rigid& a, const Rigid& b) {
       {distance(a.x, b.x), distance(a.y, b.y), distance(a.z, b.z), distance(a.origin, b.origin)});
 }
 
-class Random {
+class RandomMotion {
  public:
-  explicit Random(unsigned seed) : engine_(seed) {}
+  explicit RandomMotion(unsigned seed) : engine_(seed) {}
   double in(double low, double high) {
     return std::uniform_real_distribution<>(low, high)(engine_);
   }
@@ -39,7 +39,7 @@ class Random {
 };
 
 TEST(CosSinDegrees, AgreesWithTheLibrary) {
-  Random random(1);
+  RandomMotion random(1);
   double worst = 0;
   for (int i = 0; i < 200000; ++i) {
     const double degrees = random.in(-720, 720);
@@ -55,7 +55,7 @@ TEST(CosSinDegrees, AgreesWithTheLibrary) {
 }
 
 TEST(CosSinDegrees, IsRelativelyExactForSmallAngles) {
-  Random random(2);
+  RandomMotion random(2);
   for (int i = 0; i < 20000; ++i) {
     const double degrees = std::pow(10.0, random.in(-12, 1));
     const double expected = static_cast<double>(
@@ -76,7 +76,7 @@ TEST(CosSinDegrees, IsExactAtMultiplesOf90) {
 }
 
 TEST(CosSinDegrees, IsExactlySymmetric) {
-  Random random(3);
+  RandomMotion random(3);
   for (int i = 0; i < 20000; ++i) {
     // Steps of 2^-20 degrees, so that 90 - a and the like are exact.
     const double a = std::floor(random.in(0, 90) * 1048576) / 1048576;
@@ -94,7 +94,7 @@ TEST(CosSinDegrees, IsExactlySymmetric) {
 }
 
 TEST(AngleDegrees, IsTheInverseOfCosSin) {
-  Random random(4);
+  RandomMotion random(4);
   for (int i = 0; i < 100000; ++i) {
     const double degrees = random.in(-180, 180);
     const CosSin turn = cosSinDegrees(degrees);
@@ -125,7 +125,7 @@ TEST(AngleDegrees, IsRelativelyExactForSmallAngles) {
 }
 
 TEST(RotationAbout, KeepsItsAxisAndAllLengths) {
-  Random random(5);
+  RandomMotion random(5);
   for (int i = 0; i < 5000; ++i) {
     const Vec3 point = random.point();
     const Vec3 axis = random.direction();
@@ -138,7 +138,7 @@ TEST(RotationAbout, KeepsItsAxisAndAllLengths) {
 }
 
 TEST(RotationAbout, AddsAnglesAboutOneAxis) {
-  Random random(6);
+  RandomMotion random(6);
   for (int i = 0; i < 5000; ++i) {
     const Vec3 point = random.point();
     const Vec3 axis = random.direction();
@@ -171,7 +171,7 @@ TEST(RotationAbout, ReflectsInTheLineAt180) {
 }
 
 TEST(RotationAbout, KeepsFlatPosesExactlyFlat) {
-  Random random(7);
+  RandomMotion random(7);
   Rigid pose;
   for (int i = 0; i < 1000; ++i) {
     const Vec2 d = normalized(Vec2{random.in(-1, 1), random.in(-1, 1)});
@@ -187,7 +187,7 @@ TEST(RotationAbout, KeepsFlatPosesExactlyFlat) {
 }
 
 TEST(Compose, DoesTheSecondFirst) {
-  Random random(8);
+  RandomMotion random(8);
   for (int i = 0; i < 1000; ++i) {
     const Rigid a = rotationAbout(random.point(), random.direction(), random.in(-180, 180));
     const Rigid b =

@@ -98,7 +98,7 @@ TEST(Spread, PartlyFoldedFlapLiftsAlongItsOwnPlane) {
   }
 }
 
-const Group* find(const Scene& scene, const std::string& id) {
+const Group* groupNamed(const Scene& scene, const std::string& id) {
   for (const Group& group : scene.groups) {
     if (group.id == id) return &group;
   }
@@ -110,7 +110,7 @@ TEST(Shade, PaperThatFacesTheEyeKeepsItsColourOnBothSides) {
   ViewSpec spec = frontSpec();
   spec.isShaded = true;
   const Scene scene = *modelScene(test::run(kFlaps), looks, spec);
-  for (const Item& item : find(scene, "paper")->items) {
+  for (const Item& item : groupNamed(scene, "paper")->items) {
     EXPECT_EQ(std::get<FillItem>(item.shape).fill.color,
               item.kind == "front" ? looks.front.color : looks.back.color);
   }
@@ -125,7 +125,7 @@ TEST(Shade, FacetsTurnedFromTheLampAreDarkerAndTexturesGetAVeil) {
   spec.isShaded = true;
   const auto redOf = [&](const Scene& scene, Vec2 place) {
     const std::string id = "facet-" + std::to_string(facetAt(state.pattern, place)->index);
-    for (const Item& item : find(scene, "paper")->items) {
+    for (const Item& item : groupNamed(scene, "paper")->items) {
       if (item.id == id) return int{std::get<FillItem>(item.shape).fill.color.red};
     }
     return -1;
@@ -133,11 +133,11 @@ TEST(Shade, FacetsTurnedFromTheLampAreDarkerAndTexturesGetAVeil) {
   const Scene plain = *modelScene(state, looks, spec);
   EXPECT_EQ(redOf(plain, {50, 50}), 200);
   EXPECT_LT(redOf(plain, {80, 50}), redOf(plain, {20, 50})) << "the lamp stands on the left";
-  EXPECT_EQ(find(plain, "shades"), nullptr);
+  EXPECT_EQ(groupNamed(plain, "shades"), nullptr);
   looks.front.texture = std::make_shared<Image>(Image{1, 1, {0, 0, 0, 255}});
   const Scene textured = *modelScene(state, looks, spec);
-  ASSERT_NE(find(textured, "shades"), nullptr);
-  EXPECT_EQ(find(textured, "shades")->items.size(), 2U) << "the middle needs none";
+  ASSERT_NE(groupNamed(textured, "shades"), nullptr);
+  EXPECT_EQ(groupNamed(textured, "shades")->items.size(), 2U) << "the middle needs none";
 }
 
 TEST(Shadow, LiesBelowThePaperWithinThePageAndOnlyForAnEyeAboveTheTable) {
@@ -145,7 +145,7 @@ TEST(Shadow, LiesBelowThePaperWithinThePageAndOnlyForAnEyeAboveTheTable) {
   ViewSpec spec{20, 35, 40};
   spec.hasShadow = true;
   const Scene scene = *modelScene(state, {}, spec);
-  const Group* shadow = find(scene, "shadow");
+  const Group* shadow = groupNamed(scene, "shadow");
   ASSERT_NE(shadow, nullptr);
   EXPECT_EQ(scene.groups.front().id, "shadow") << "the paper is drawn over it";
   for (const Item& item : shadow->items) {
@@ -161,7 +161,7 @@ TEST(Shadow, LiesBelowThePaperWithinThePageAndOnlyForAnEyeAboveTheTable) {
     }
   }
   spec.elevation = -20;
-  EXPECT_EQ(find(*modelScene(state, {}, spec), "shadow"), nullptr);
+  EXPECT_EQ(groupNamed(*modelScene(state, {}, spec), "shadow"), nullptr);
 }
 
 TEST(Shadow, CanBeStoppedOnTheWay) {
