@@ -34,7 +34,7 @@ class AngleTool final : public Tool {
     double amount;  ///< as it is to be
     bool isHeld = true;
     Pane pane = Pane::Model;
-    Vec2 pressedAt;  ///< pixels
+    Vec2 pressedAt = {};  ///< pixels
     double pressedAmount = 0;
   };
 
