@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,15 +21,17 @@ struct GlView {
   Vec2 centre;             ///< view coordinates of the middle of the picture, mm
   int width = 1;           ///< pixels of the framebuffer
   int height = 1;
-  double nearDepth = -1000;  ///< ViewFrame::depth between which everything lies
+  /// ViewFrame::depth between which everything lies, in either order. The nearer they are to each
+  /// other, the finer the depth buffer.
+  double nearDepth = -1000;
   double farDepth = 1000;
   Color background{250, 250, 250};
-  bool showsEdges = true;
-  bool showsCreases = true;
-  bool showsBorders = true;
-  double gridSpacing = 0;  ///< mm on the paper; 0: none
-  bool isShaded = true;    ///< soft light
-  double lineScale = 1;    ///< device pixels for a pixel of the window
+  bool showsEdges = true;    ///< MeshLine::Edge and Tear
+  bool showsCreases = true;  ///< Crease, Mountain, Valley
+  bool showsBorders = true;  ///< Border
+  double gridSpacing = 0;    ///< mm on the paper, from its origin; 0: none
+  bool isShaded = true;      ///< soft light
+  double lineScale = 1;      ///< device pixels for a pixel of the window
 };
 
 /// An RGBA colour over a facet: 0 to 255, alpha is how much of it.
@@ -49,11 +50,20 @@ class GlRenderer {
   GlRenderer(const GlRenderer&) = delete;
   GlRenderer& operator=(const GlRenderer&) = delete;
 
+  /// May be called for every frame: what the last frame still draws from is not waited for.
   void setMesh(const PaperMesh& mesh);
   /// One for each facet, or empty: none.
   void setTints(const std::vector<TintColor>& tints);
+  /// Colours, textures, widths of lines (mm as on a screen of 96 dots an inch, whatever the scale
+  /// of the view), their style. What GlView says too is not looked at.
   void setAppearance(const Appearance& appearance);
+
+  /// Clears the framebuffer and draws. Needs a depth buffer; looks best with 4 samples. Leaves the
+  /// context as it is at first in what it changes (depth test, blending, masks, scissor
+  /// test, program, vertex array, buffers and textures of units 0 to 2, unit 0 active), but for the
+  /// viewport, the clear colour, culling, and the sRGB conversion of the framebuffer, which is off.
   void draw(const GlView& view);
+
   /// What draws: "OpenGL 4.5, llvmpipe".
   std::string description() const;
 

@@ -1,0 +1,197 @@
+// The mesh of a folded state.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "render/mesh/flattened.h"
+#include "render/mesh/hinge_breaks.h"
+#include "render/mesh/mesh_builder.h"
+#include "render/mesh/paper_mesh.h"
+#include "render/visibility/plane_regions.h"
+
+namespace kiri {
+namespace {
+
+/// The middle of the box of all corners of the paper.
+Vec3 middleOf(const FoldedState& state) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Vec3 low{kFar, kFar, kFar};
+  Vec3 high = -low;
+  for (std::uint32_t f = 0; f < state.pattern.facets.size(); ++f) {
+    for (const EdgeUse use : state.pattern.facets[f].border) {
+      const Vec3 p = state.poses[f].apply(state.pattern[startOf(state.pattern, use)]);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  return low.x <= high.x ? (low + high) / 2 : Vec3{};
+}
+
+class ModelMesh {
+ public:
+  ModelMesh(const FoldedState& state, const std::vector<PlaneRegions>& planes)
+      : state_(state),
+        breaks_(state, planes),
+        builder_(mesh_, state.tolerance()),
+        chordError_(meshChordError(state.tolerance())),
+        lineAt_(2 * breaks_.intervals(), kNoLine) {
+    mesh_.origin = middleOf(state);
+    mesh_.facetCount = static_cast<std::uint32_t>(state.pattern.facets.size());
+  }
+
+  void add(const PlaneRegions& plane) {
+    addSide(plane, plane.above, plane.fromAbove);
+    addSide(plane, plane.below, plane.fromBelow);
+  }
+
+  PaperMesh finished() {
+    mesh_.segments = std::move(creases_);
+    mesh_.segments.insert(mesh_.segments.end(), edges_.begin(), edges_.end());
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr std::size_t kNoLine = std::numeric_limits<std::size_t>::max();
+  using Ends = std::array<double, 4>;
+
+  static Ends endsOf(Vec2 a, Vec2 b) { return {a.x, a.y, b.x, b.y}; }
+
+  void addSide(const PlaneRegions& plane, const ViewFrame& frame, const VisibleRegions& regions) {
+    collectSeams(regions);
+    for (const VisibleFacet& part : regions.facets) {
+      const MeshSide side{frame, plane.point, part.facet, state_.poseOf(part.facet),
+                          part.showsFront};
+      std::vector<Points> loops;
+      for (const auto& loop : part.loops) {
+        Points& points = loops.emplace_back();
+        for (const BoundaryPiece& piece : loop) {
+          const Points line = flattened(piece.arc, breaksOf(piece), chordError_);
+          points.insert(points.end(), line.begin(), line.end() - 1);
+          addLine(side, piece, line);
+        }
+      }
+      builder_.addPaper(side, loops);
+    }
+  }
+
+  std::vector<double> ownBreaks(const BoundaryPiece& piece) const {
+    if (!piece.edge.isValid() || !isFoldedHinge(state_.pattern[piece.edge])) return {};
+    return breaks_.within(piece.edge, piece.from, piece.to);
+  }
+
+  /// Two facets of one plane may meet along hinges of both of them; each is divided like the other.
+  void collectSeams(const VisibleRegions& regions) {
+    seams_.clear();
+    for (const VisibleFacet& part : regions.facets) {
+      for (const auto& loop : part.loops) {
+        for (const BoundaryPiece& piece : loop) {
+          if (piece.isSilhouette()) continue;
+          std::vector<double> breaks = ownBreaks(piece);
+          if (breaks.empty()) continue;
+          std::reverse(breaks.begin(), breaks.end());
+          for (double& t : breaks) t = 1 - t;
+          seams_.emplace(endsOf(piece.arc.end, piece.arc.start), std::move(breaks));
+        }
+      }
+    }
+  }
+
+  std::vector<double> breaksOf(const BoundaryPiece& piece) const {
+    std::vector<double> breaks = ownBreaks(piece);
+    if (seams_.empty() || piece.isSilhouette()) return breaks;
+    const auto others = seams_.equal_range(endsOf(piece.arc.start, piece.arc.end));
+    if (others.first == others.second) return breaks;
+    for (auto it = others.first; it != others.second; ++it) {
+      breaks.insert(breaks.end(), it->second.begin(), it->second.end());
+    }
+    std::sort(breaks.begin(), breaks.end());
+    const auto isSame = [](double a, double b) { return b - a <= kParallel; };
+    breaks.erase(std::unique(breaks.begin(), breaks.end(), isSame), breaks.end());
+    return breaks;
+  }
+
+  /// A seam between two parts is drawn once. So is a hinge of which both facets are seen.
+  void addLine(const MeshSide& side, const BoundaryPiece& piece, const Points& points) {
+    if (!piece.isSilhouette() && piece.beyond < side.facet) return;
+    MeshSegment segment;
+    segment.normal = floats(side.frame.toEye);
+    segment.facet = side.facet.index;
+    segment.kind = kindOf(side.facet, piece);
+    if (!piece.isSilhouette()) segment.otherNormal = segment.normal;
+    const bool isCrease = segment.kind == MeshLine::Crease;
+    if (piece.isSilhouette() && isOwnHinge(side.facet, piece)) {
+      addHinge(side, piece, points, segment);
+    } else {
+      builder_.addLine(side, points, segment, isCrease ? creases_ : edges_);
+    }
+  }
+
+  bool isOwnHinge(FacetId facet, const BoundaryPiece& piece) const {
+    if (!piece.edge.isValid()) return false;
+    const Edge& edge = state_.pattern[piece.edge];
+    return isFoldedHinge(edge) && (edge.left == facet || edge.right == facet);
+  }
+
+  /// What two planes both show of a hinge becomes one line with paper on both of its sides.
+  void addHinge(const MeshSide& side, const BoundaryPiece& piece, const Points& points,
+                const MeshSegment& segment) {
+    const std::vector<double> breaks = ownBreaks(piece);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double t0 = i == 0 ? 0 : breaks[i - 1];
+      const double t1 = i < breaks.size() ? breaks[i] : 1;
+      const double middle = piece.from + (piece.to - piece.from) * (t0 + t1) / 2;
+      std::size_t& line =
+          lineAt_[2 * breaks_.intervalAt(piece.edge, middle) + (side.showsFront ? 1 : 0)];
+      if (line != kNoLine) {
+        edges_[line].otherNormal = segment.normal;
+        continue;
+      }
+      line = builder_.addLine(side, {points[i], points[i + 1]}, segment, edges_);
+      edges_[line].isFromJoined = i > 0;
+      edges_[line].isToJoined = i + 2 < points.size();
+    }
+  }
+
+  MeshLine kindOf(FacetId facet, const BoundaryPiece& piece) const {
+    if (!piece.edge.isValid()) return MeshLine::Edge;
+    const Edge& edge = state_.pattern[piece.edge];
+    if (edge.kind == EdgeKind::Tear) return MeshLine::Tear;
+    if (edge.kind != EdgeKind::Hinge) return MeshLine::Border;
+    const bool joins = !piece.isSilhouette() && across(edge, facet) == piece.beyond;
+    return joins && !isFoldedHinge(edge) ? MeshLine::Crease : MeshLine::Edge;
+  }
+
+  const FoldedState& state_;
+  HingeBreaks breaks_;
+  PaperMesh mesh_;
+  MeshBuilder builder_;
+  double chordError_;
+  std::vector<std::size_t> lineAt_;  ///< for each interval of a hinge and side of the paper
+  std::multimap<Ends, std::vector<double>> seams_;
+  std::vector<MeshSegment> creases_;
+  std::vector<MeshSegment> edges_;
+};
+
+}  // namespace
+
+PaperMesh meshOf(const FoldedState& state, const Progress& progress) {
+  const auto& sets = state.layers.sets();
+  std::vector<PlaneRegions> planes;
+  planes.reserve(sets.size());
+  for (std::uint32_t set = 0; set < sets.size(); ++set) {
+    if (!goesOn(progress, static_cast<double>(set) / static_cast<double>(sets.size()))) return {};
+    if (!sets[set].upward.empty()) planes.push_back(planeRegionsOf(state, set));
+  }
+  ModelMesh mesh(state, planes);
+  for (const PlaneRegions& plane : planes) {
+    if (!goesOn(progress, 1)) return {};
+    mesh.add(plane);
+  }
+  return mesh.finished();
+}
+
+}  // namespace kiri
