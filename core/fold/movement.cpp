@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.h"
 #include "core/fold/rotate.h"
 #include "core/layers/order_by_height.h"
 
@@ -112,6 +113,25 @@ double degreesOf(const Movement& movement) {
 FoldedState stateDuring(const Movement& movement, double part) {
   return std::visit([&](const auto& how) { return during(*movement.start, how, part); },
                     movement.how);
+}
+
+double degreesOf(const Movements& movements) {
+  double degrees = 0;
+  for (const Movement& movement : movements) degrees += degreesOf(movement);
+  return degrees;
+}
+
+FoldedState stateAlong(const Movements& movements, double part) {
+  KIRI_CHECK(!movements.empty(), "there is a way to be along");
+  const double degrees = degreesOf(movements);
+  double left = part * degrees;
+  for (const Movement& movement : movements) {
+    const double share = degreesOf(movement);
+    if (left <= share && share > 0) return stateDuring(movement, left / share);
+    left -= share;
+  }
+  // A shift goes as far as it is asked; else rounding has left a trifle beyond the last turn.
+  return stateDuring(movements.back(), degrees > 0 ? 1 : part);
 }
 
 std::vector<Rigid> posesDuring(const Movement& movement, double part) {

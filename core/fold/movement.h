@@ -50,6 +50,13 @@ std::vector<Rigid> posesDuring(const Movement& movement, double part);
 /// Collects the movements of steps, for whoever wants them.
 using Movements = std::vector<Movement>;
 
+/// Degrees of all of them.
+double degreesOf(const Movements& movements);
+
+/// The state when `part` (0 to 1) of movements that follow each other is done; they share the time
+/// by the degrees they turn. Requires one or more.
+FoldedState stateAlong(const Movements& movements, double part);
+
 /// The movement along a path from `start` to the poses of `end`, which has the same pattern. For
 /// each piece a facet is held that lies in both as it did, where there is one.
 Movement movementAlong(const FoldedState& start, std::shared_ptr<const RigidPath> path,

@@ -3,6 +3,12 @@
 
 namespace kiri {
 
+bool SheetSpec::operator==(const SheetSpec& other) const {
+  if (shape != other.shape || unknown != other.unknown) return false;
+  if (shape == Shape::Polygon) return outline == other.outline && holes == other.holes;
+  return width == other.width && (shape != Shape::Rectangle || height == other.height);
+}
+
 Result<Sheet> makeSheet(const SheetSpec& spec) {
   switch (spec.shape) {
     case SheetSpec::Shape::Square:

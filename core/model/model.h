@@ -24,6 +24,7 @@ struct Color {
 struct PaperSide {
   Color color;
   std::string texture;  ///< path of a PNG image, relative to the model's file; empty: none
+  bool operator==(const PaperSide&) const = default;
 };
 
 /// What was written about the sheet, kept so that a file is saved as it was read.
@@ -35,6 +36,8 @@ struct SheetSpec {
   std::vector<Vec2> outline;             ///< polygon only
   std::vector<std::vector<Vec2>> holes;  ///< polygon only
   std::string unknown;                   ///< fields that the reader did not know, as JSON text
+  /// Compares what the shape makes use of.
+  bool operator==(const SheetSpec& other) const;
 };
 
 struct Model {
@@ -46,6 +49,7 @@ struct Model {
   Sequence opening = Sequence::InOrder;  ///< how all of it unfolds at once (thesis 4.5 B17)
   std::vector<Step> steps;
   std::string unknown;  ///< fields that the reader did not know, as JSON text
+  bool operator==(const Model&) const = default;
 };
 
 /// The sheet that a description means. Errors: BadValue, see sheet.h.

@@ -1,4 +1,4 @@
-// Replaying a model's steps, and the history that undo and redo walk along.
+// Replaying a model's steps.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -34,35 +34,9 @@ struct Replay {
 /// marked, not errors.
 Result<Replay> replay(const Model& model, const Progress& progress = {});
 
-/// A model with a cursor: undo moves the cursor back, redo forward, states are remembered. Value
-/// semantics.
-class History {
- public:
-  /// Errors: BadValue - the sheet is no sheet.
-  static Result<History> open(Model model);
-
-  const Model& model() const { return model_; }
-  /// Steps that count as done: 0 to model().steps.size().
-  std::size_t cursor() const { return cursor_; }
-  /// The state at the cursor; when a step before it does not apply, the last state that does.
-  const FoldedState& state() const;
-  /// Why step `index` (from 0) does not apply; none when it does.
-  std::optional<Error> problemOf(std::size_t index) const;
-
-  /// Applies a new step at the cursor and drops what had been undone. Errors: those of apply;
-  /// nothing changes then.
-  Status add(Step step);
-  bool undo();
-  bool redo();
-  /// Puts `step` in the place of step `index` and replays what follows; steps that no longer apply
-  /// are kept and marked.
-  Status edit(std::size_t index, Step step);
-  Status remove(std::size_t index);
-
- private:
-  Model model_;
-  Replay replay_;
-  std::size_t cursor_ = 0;
-};
+/// Replays the steps from index `from` on; the outcomes before it are kept. On an error the replay
+/// is of no use. Errors: Cancelled.
+Status replayFrom(Replay& replay, const Model& model, std::size_t from,
+                  const Progress& progress = {});
 
 }  // namespace kiri

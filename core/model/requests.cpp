@@ -201,8 +201,15 @@ std::string foldName(const FoldStep& step, int number) {
 
 Result<FoldRequest> foldRequest(const FoldedState& state, const FoldStep& step, int number) {
   if (!(step.angle >= 0 && step.angle <= 180)) return badAngle(step.angle, "0 to 180");
+  const auto hasName = [](const std::string& name) {
+    return [name](const FoldLine& line) { return line.name == name; };
+  };
   FoldRequest request;
   request.name = foldName(step, number);
+  while (step.name.empty() &&
+         std::any_of(state.lines.begin(), state.lines.end(), hasName(request.name))) {
+    request.name = foldName(step, ++number);
+  }
   for (const FoldLine& line : state.lines) {
     if (line.name != request.name) continue;
     return Error{

@@ -13,7 +13,8 @@
 
 namespace kiri {
 
-/// The name a fold step gives its fold line.
+/// The name a fold step gives its fold line. Where a step without a name finds it taken,
+/// foldRequest goes on to the next number that is free.
 std::string foldName(const FoldStep& step, int number);
 
 /// Errors of all: what a step asks for that this state does not have, see locate.h; BadValue -

@@ -23,6 +23,7 @@ enum class Frame {
 struct Place {
   Frame frame = Frame::Paper;
   Vec2 point;
+  bool operator==(const Place&) const = default;
 };
 
 /// A directed segment. In the paper frame its ends are in the frame of one facet (and may lie
@@ -32,21 +33,28 @@ struct DrawnLine {
   Vec2 from;
   Vec2 to;
   std::optional<Vec2> facet;  ///< paper frame
+  bool operator==(const DrawnLine&) const = default;
 };
 
 /// Which layers a step works on.
-struct AllLayers {};
+struct AllLayers {
+  bool operator==(const AllLayers&) const = default;
+};
 /// The `count` uppermost layers along the line, seen from the front.
 struct TopLayers {
   int count = 1;
+  bool operator==(const TopLayers&) const = default;
 };
 /// The facets that hold these points.
 struct ChosenLayers {
   std::vector<Place> facets;
+  bool operator==(const ChosenLayers&) const = default;
 };
 /// All paper under a cut that is drawn in the model frame, in whatever plane it lies, straight down
 /// as seen from the front. For cuts only.
-struct ThroughAll {};
+struct ThroughAll {
+  bool operator==(const ThroughAll&) const = default;
+};
 using LayerChoice = std::variant<AllLayers, TopLayers, ChosenLayers, ThroughAll>;
 
 /// Which side of the line moves.
@@ -54,9 +62,11 @@ enum class Hand { Left, Right };
 /// By the line's direction, by a point on that side, or by facets that must move.
 struct MovingPoint {
   Place place;
+  bool operator==(const MovingPoint&) const = default;
 };
 struct MovingFacets {
   std::vector<Place> facets;
+  bool operator==(const MovingFacets&) const = default;
 };
 using MovingSide = std::variant<Hand, MovingPoint, MovingFacets>;
 
@@ -71,6 +81,7 @@ struct FoldStep {
   double angle = 180;  ///< degrees, 0 to 180
   LayerChoice layers = AllLayers{};
   MovingSide moving = Hand::Left;
+  bool operator==(const FoldStep&) const = default;
 };
 
 /// A fold line by its name, or by a place on one of its hinges.
@@ -79,6 +90,7 @@ using FoldLineName = std::variant<std::string, Place>;
 struct AngleStep {
   FoldLineName line;
   double angle = 0;  ///< degrees in the fold's own direction, -180 to 180; negative: the other way
+  bool operator==(const AngleStep&) const = default;
 };
 
 /// How several fold lines move.
@@ -92,32 +104,38 @@ enum class Sequence {
 struct UnfoldStep {
   std::vector<FoldLineName> lines;  ///< in the order of folding; empty: all
   Sequence sequence = Sequence::InOrder;
+  bool operator==(const UnfoldStep&) const = default;
 };
 
 struct RefoldStep {
   std::vector<FoldLineName> lines;  ///< in the order of folding; empty: all that are not folded
   Sequence sequence = Sequence::InOrder;
+  bool operator==(const RefoldStep&) const = default;
 };
 
 /// A polyline along existing edges, from a vertex to a point.
 struct DrawnPath {
   Frame frame = Frame::Paper;
   std::vector<Vec2> points;
+  bool operator==(const DrawnPath&) const = default;
 };
 
 struct TearStep {
   DrawnPath path;
   LayerChoice layers = AllLayers{};
+  bool operator==(const TearStep&) const = default;
 };
 
 struct MendStep {
   DrawnPath path;  ///< empty: everything that can be mended
   LayerChoice layers = AllLayers{};
+  bool operator==(const MendStep&) const = default;
 };
 
 struct AddEdgeStep {
   DrawnLine line;
   LayerChoice layers = AllLayers{};
+  bool operator==(const AddEdgeStep&) const = default;
 };
 
 /// Which paper stays after a cut. No places: all of it stays. A place in the model frame keeps what
@@ -125,12 +143,14 @@ struct AddEdgeStep {
 /// holds it.
 struct Keep {
   std::vector<Place> places;
+  bool operator==(const Keep&) const = default;
 };
 
 struct StraightCutStep {
   DrawnLine line;
   LayerChoice layers = AllLayers{};
   Keep keep;
+  bool operator==(const StraightCutStep&) const = default;
 };
 
 struct CurveCutStep {
@@ -142,12 +162,14 @@ struct CurveCutStep {
   SplineEnds ends = SplineEnds::Clamped;
   LayerChoice layers = AllLayers{};
   Keep keep;
+  bool operator==(const CurveCutStep&) const = default;
 };
 
 enum class TurnAxis { Vertical, Horizontal };
 /// Turns the model over about the vertical or horizontal line through the middle of its box.
 struct TurnOverStep {
   TurnAxis axis = TurnAxis::Vertical;
+  bool operator==(const TurnOverStep&) const = default;
 };
 
 /// Turns the model in its plane, counter-clockwise, about a point of the model frame (default:
@@ -155,10 +177,12 @@ struct TurnOverStep {
 struct RotateStep {
   double degrees = 0;
   std::optional<Vec2> about;
+  bool operator==(const RotateStep&) const = default;
 };
 
 struct MoveStep {
   Vec2 by;  ///< mm
+  bool operator==(const MoveStep&) const = default;
 };
 
 using Action =
@@ -171,6 +195,7 @@ struct Step {
   std::string title;
   std::string notes;
   std::string unknown;  ///< fields that the reader did not know, as JSON text, kept for the writer
+  bool operator==(const Step&) const = default;
 };
 
 }  // namespace kiri

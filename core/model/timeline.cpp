@@ -125,17 +125,8 @@ Result<FoldedState> stateBetween(const Model& model, double steps, const Progres
   if (!line) return line.error();
   if (!(part > 0)) return line->stateAfter(done);
   const Movements& movements = line->movementsOf(done);
-  double degrees = 0;
-  for (const Movement& movement : movements) degrees += degreesOf(movement);
-  double left = part * degrees;
-  for (const Movement& movement : movements) {
-    const double share = degreesOf(movement);
-    if (left <= share && share > 0) return stateDuring(movement, left / share);
-    left -= share;
-  }
   if (movements.empty()) return line->stateAfter(done + 1);  // done at once
-  // A shift goes as far as it is asked; else rounding has left a trifle beyond the last turn.
-  return stateDuring(movements.back(), degrees > 0 ? 1 : part);
+  return stateAlong(movements, part);
 }
 
 }  // namespace kiri

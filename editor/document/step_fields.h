@@ -11,7 +11,8 @@
 
 namespace kiri {
 
-/// What a step is, in a few words: "fold 3: valley, 180°", "tear", "curve cut".
+/// What a step is, in a few words: "fold 3: valley, 180°", "tear", "curve cut". `number` is the
+/// step's place in the model, from 1.
 Phrase summaryOf(const Step& step, std::size_t number);
 
 /// Everything of the step that can be typed: title, name, type, angle, ends of the line, layers,

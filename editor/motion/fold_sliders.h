@@ -1,7 +1,8 @@
-// One slider for each fold line (thesis 4.5, G).
+// One slider for each fold line (thesis 4.5, G), and one for all of them (B17).
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,8 +12,6 @@
 #include "core/base/result.h"
 #include "core/model/step.h"
 #include "core/paper/folded_state.h"
-#include "editor/base/field.h"
-#include "editor/base/phrase.h"
 
 namespace kiri {
 
@@ -28,30 +27,26 @@ struct FoldSlider {
 /// The sliders of a state, in the order of folding.
 std::vector<FoldSlider> slidersOf(const FoldedState& state);
 
+/// Sliders whose names differ in a number at the end only: "vein 1" and "vein 2" are of "vein".
+struct SliderGroup {
+  std::string name;               ///< what the names have in common; of one slider: its name
+  std::vector<std::size_t> rows;  ///< places in the list of sliders
+};
+
+/// Each slider is in one group; groups stand where their first slider does.
+std::vector<SliderGroup> groupsOf(const std::vector<FoldSlider>& sliders);
+
 /// What a dragged slider shows. The way is from the state at which the drag began, so that dragging
 /// back undoes exactly.
 struct SlideShow {
   std::shared_ptr<const FoldedState> state;
-  double amount = 0;          ///< where the paper stopped
-  std::optional<Error> stop;  ///< why it went no further
-  std::vector<Collision> collisions;
+  double amount = 0;                  ///< where the paper stopped
+  std::optional<Error> stop;          ///< why it went no further
+  std::vector<Collision> collisions;  ///< met on the way; they do not stop it
 };
+/// `amount` in degrees of the fold's own direction; beyond -180 and 180 it is cut off. Lines that
+/// are held in closed loops of creases take others with them, and more time.
 SlideShow slideTo(const FoldedState& from, FoldLineId line, double amount);
-
-/// The one slider for all: 0 is unfolded, 1 as folded. Together as leaves do, or in order (thesis
-/// B17). Prepared once for a drag, then asked for moments.
-class AllSlider {
- public:
-  /// Errors: those of unfolding all of it. Cancelled.
-  static Result<AllSlider> prepare(const FoldedState& state, Sequence sequence,
-                                   const Progress& progress = {});
-  FoldedState at(double openness) const;  ///< 0: as it is folded now, 1: all unfolded
-
- private:
-  AllSlider() = default;
-  struct Ways;
-  std::shared_ptr<const Ways> ways_;
-};
 
 /// The step that a released slider makes; none when nothing changed.
 std::optional<Step> stepOfSlide(const FoldedState& from, FoldLineId line, double amount);

@@ -11,10 +11,13 @@
 namespace kiri {
 
 /// Where the film of the model is. The window gives it the time that has gone by; it knows no
-/// clock.
+/// clock. Speed and loops outlast the film.
 class Player {
  public:
-  /// None: nothing to play.
+  static constexpr double kSlowest = 0.1;
+  static constexpr double kFastest = 10;
+
+  /// Stands at the start, paused. None: nothing to play; nothing below does anything then.
   void load(std::shared_ptr<const Timeline> timeline);
   bool isLoaded() const { return timeline_ != nullptr; }
   double duration() const;
@@ -23,19 +26,24 @@ class Player {
   void play();  ///< from the start when it stands at the end
   void pause() { isPlaying_ = false; }
   bool isPlaying() const { return isPlaying_; }
-  void seek(double seconds);
-  void setSpeed(double factor) { speed_ = factor; }
+  void seek(double seconds);  ///< outside the time: its start or end
+  /// Times real time; kept within kSlowest and kFastest.
+  void setSpeed(double factor);
   double speed() const { return speed_; }
   void setLoops(bool loops) { loops_ = loops; }
   bool loops() const { return loops_; }
-  /// To the start of the next or previous step.
+  /// To the moment when so many steps more (or fewer) are done than now. Back from within a step
+  /// goes to its start first. Past the ends: start and end.
   void skip(int steps);
-  /// Time goes by; true when the picture changes.
+  /// The moment when `done` steps are done.
+  void seekStep(std::size_t done);
+  /// Time goes by while it plays; true when the picture changes. At the end it starts again where
+  /// it loops, else it stops there.
   bool advance(double realSeconds);
 
-  /// What is to be seen now.
+  /// What is to be seen now. Requires that something is loaded.
   FoldedState state() const;
-  std::size_t step() const;  ///< steps that are done
+  std::size_t step() const;  ///< steps that are done; 0: nothing loaded
 
  private:
   std::shared_ptr<const Timeline> timeline_;

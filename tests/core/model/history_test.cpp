@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "core/model/replay.h"
+#include "core/model/history.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
 

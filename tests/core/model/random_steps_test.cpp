@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/model/apply.h"
-#include "core/model/replay.h"
+#include "core/model/history.h"
 #include "tests/support/crossing_check.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"

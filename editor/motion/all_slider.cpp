@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "editor/motion/all_slider.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/fold/fold_line.h"
+#include "core/fold/group_motion.h"
+
+namespace kiri {
+
+namespace {
+
+/// From the state of the drag to one of the ends.
+struct Way {
+  std::shared_ptr<const FoldedState> end;  ///< none: it cannot be reached
+  std::optional<Error> why;
+  Movements movements;
+  double degrees = 0;  ///< 0: the state is at this end
+};
+
+std::shared_ptr<const FoldedState> stateAt(const Way& way, const FoldedState& start, double part) {
+  const bool isThere = part >= 1 && way.end != nullptr;
+  if (isThere) return way.end;
+  if (way.movements.empty() || part <= 0) return std::make_shared<const FoldedState>(start);
+  return std::make_shared<const FoldedState>(stateAlong(way.movements, part));
+}
+
+/// The most that a hinge has to turn.
+double turnTo(const FoldedState& from, const FoldedState& to) {
+  double most = 0;
+  for (std::size_t e = 0; e < from.pattern.edges.size(); ++e)
+    most = std::max(most, std::abs(from.pattern.edges[e].angle - to.pattern.edges[e].angle));
+  return most;
+}
+
+Way wayTo(const FoldedState& state, Result<FoldedState> end, Movements movements) {
+  if (!end) return {nullptr, end.error(), {}, 0};
+  Way way{nullptr, std::nullopt, std::move(movements), 0};
+  way.degrees = way.movements.empty() ? turnTo(state, *end) : degreesOf(way.movements);
+  way.end = std::make_shared<const FoldedState>(std::move(*end));
+  return way;
+}
+
+}  // namespace
+
+struct AllSlider::Ways {
+  FoldedState start;
+  Sequence sequence;
+  Way opening;
+  Way closing;
+  double openness = 0;
+};
+
+Result<AllSlider> AllSlider::prepare(const FoldedState& state, Sequence sequence) {
+  std::vector<FoldLineId> lines;
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
+    if (!hingesOf(state, FoldLineId(i)).empty()) lines.push_back(FoldLineId(i));
+  }
+  if (lines.empty())
+    return Error{ErrorCode::NothingToDo, "there is no fold to open; fold the paper first", {}};
+  const GroupMotion motion =
+      sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InOrder;
+  Movements opening;
+  Movements closing;
+  Result<FoldedState> open = unfoldLines(state, lines, motion, &opening);
+  Result<FoldedState> closed = refoldLines(state, lines, motion, &closing);
+  if (!open && !closed) return open.error();
+  Ways ways{state, sequence, wayTo(state, std::move(open), std::move(opening)),
+            wayTo(state, std::move(closed), std::move(closing)), 0};
+  const double all = ways.opening.degrees + ways.closing.degrees;
+  if (all > 0) ways.openness = ways.closing.degrees / all;
+  return AllSlider(std::make_shared<const Ways>(std::move(ways)));
+}
+
+double AllSlider::openness() const { return ways_->openness; }
+const std::optional<Error>& AllSlider::whyNotOpen() const { return ways_->opening.why; }
+const std::optional<Error>& AllSlider::whyNotFolded() const { return ways_->closing.why; }
+
+std::shared_ptr<const FoldedState> AllSlider::at(double openness) const {
+  const double here = ways_->openness;
+  if (openness > here) return stateAt(ways_->opening, ways_->start, (openness - here) / (1 - here));
+  if (openness < here) return stateAt(ways_->closing, ways_->start, (here - openness) / here);
+  return std::make_shared<const FoldedState>(ways_->start);
+}
+
+std::optional<Step> AllSlider::stepAt(double openness) const {
+  if (openness >= 1 && ways_->opening.end && ways_->opening.degrees > 0)
+    return Step{UnfoldStep{{}, ways_->sequence}, {}, {}, {}};
+  if (openness <= 0 && ways_->closing.end && ways_->closing.degrees > 0)
+    return Step{RefoldStep{{}, ways_->sequence}, {}, {}, {}};
+  return std::nullopt;
+}
+
+}  // namespace kiri

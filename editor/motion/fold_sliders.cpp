@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "editor/motion/fold_sliders.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/fold/fold_line.h"
+#include "core/geometry/tolerance.h"
+
+namespace kiri {
+namespace {
+
+constexpr double kHalfTurn = 180;
+
+/// The name without the number at its end; empty when it is all number.
+std::string stemOf(const std::string& name) {
+  std::size_t end = name.find_last_not_of("0123456789");
+  if (end == std::string::npos || end + 1 == name.size()) return name;
+  end = name.find_last_not_of(" .,-_#", end);
+  return end == std::string::npos ? name : name.substr(0, end + 1);
+}
+
+}  // namespace
+
+std::vector<FoldSlider> slidersOf(const FoldedState& state) {
+  std::vector<FoldSlider> sliders(state.lines.size());
+  for (std::size_t i = 0; i < sliders.size(); ++i) {
+    const FoldLine& line = state.lines[i];
+    sliders[i] = {FoldLineId(i), line.name, line.isValley, amountOf(state, FoldLineId(i)), false};
+  }
+  for (const Edge& edge : state.pattern.edges) {
+    if (edge.kind == EdgeKind::Hinge && edge.line.isValid())
+      sliders[edge.line.index].canMove = true;
+  }
+  return sliders;
+}
+
+std::vector<SliderGroup> groupsOf(const std::vector<FoldSlider>& sliders) {
+  std::vector<SliderGroup> groups;
+  for (std::size_t i = 0; i < sliders.size(); ++i) {
+    const std::string stem = stemOf(sliders[i].name);
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const SliderGroup& group) { return group.name == stem; });
+    if (known != groups.end()) {
+      known->rows.push_back(i);
+    } else {
+      groups.push_back({stem, {i}});
+    }
+  }
+  for (SliderGroup& group : groups) {
+    if (group.rows.size() == 1) group.name = sliders[group.rows.front()].name;
+  }
+  return groups;
+}
+
+SlideShow slideTo(const FoldedState& from, FoldLineId line, double amount) {
+  Slide slide = slideAmount(from, line, std::clamp(amount, -kHalfTurn, kHalfTurn));
+  SlideShow show;
+  show.amount = slide.amount;
+  show.stop = std::move(slide.why);
+  const auto known = static_cast<std::ptrdiff_t>(from.collisions.size());
+  show.collisions.assign(slide.state.collisions.begin() + known, slide.state.collisions.end());
+  show.state = std::make_shared<const FoldedState>(std::move(slide.state));
+  return show;
+}
+
+std::optional<Step> stepOfSlide(const FoldedState& from, FoldLineId line, double amount) {
+  const std::optional<double> now = amountOf(from, line);
+  if (now && std::abs(*now - amount) <= kSameAngle) return std::nullopt;
+  return Step{AngleStep{from.lines[line.index].name, amount}, {}, {}, {}};
+}
+
+}  // namespace kiri
