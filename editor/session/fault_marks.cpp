@@ -1,0 +1,62 @@
+// From witnesses to marks.
+// SPDX-License-Identifier: MIT
+#include "editor/session/fault_marks.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "editor/session/moved_facets.h"
+
+namespace kiri {
+
+namespace {
+
+std::optional<FacetId> facetAround(const FoldedState& state, Vec2 place) {
+  const std::vector<FacetId> found = facetsHolding(state.pattern, {place});
+  if (found.empty()) return std::nullopt;
+  return found.front();
+}
+
+std::string degreesText(double degrees) {
+  return std::to_string(static_cast<int>(std::lround(degrees))) + "°";
+}
+
+}  // namespace
+
+Marks marksOf(const Witness& witness, const FoldedState& state) {
+  Marks marks;
+  for (const auto& [from, to] : witness.segments) {
+    if (const auto facet = facetAround(state, lerp(from, to, 0.5))) {
+      marks.push_back(PathMark{MarkRole::Fault, {Spot{*facet, from}, Spot{*facet, to}}});
+    }
+  }
+  for (const Vec2 point : witness.points) {
+    if (const auto facet = facetAround(state, point)) {
+      marks.push_back(PointMark{MarkRole::Fault, Spot{*facet, point}});
+    }
+  }
+  return marks;
+}
+
+Marks marksOf(const std::vector<Collision>& collisions) {
+  Marks marks;
+  for (const Collision& collision : collisions) {
+    marks.push_back(PointMark{MarkRole::Collision, collision.place});
+    marks.push_back(TextMark{
+        MarkRole::Collision, collision.place,
+        Phrase{KIRI_TEXT("editor/session", "meets at %1"), {degreesText(collision.degrees)}}});
+  }
+  return marks;
+}
+
+std::vector<FacetId> facetsOf(const std::vector<Collision>& collisions, const FoldedState& state) {
+  std::vector<Vec2> places;
+  for (const Collision& collision : collisions) {
+    places.push_back(collision.moving);
+    places.push_back(collision.fixed);
+  }
+  return facetsHolding(state.pattern, places);
+}
+
+}  // namespace kiri
