@@ -162,15 +162,27 @@ Reach PartedPaper::reachOf(const std::vector<FacetId>& pieces, bool leftMoves) c
   if (pieces.empty()) return reach;
   const std::vector<bool> moves = movingFacets(state_, {origin_, along_, 0}, pieces, {}).moves;
   std::vector<FacetId> movers;
-  for (const Edge& edge : state_.pattern.edges) {
-    if (edge.kind != EdgeKind::Hinge || moves[edge.left.index] == moves[edge.right.index]) continue;
-    if (!isFlatOnLine(edge)) continue;
-    widen(reach.stretch, stretchOf(edge), reach.creases.empty());
-    reach.creases.push_back(stretchOf(edge));
-    reach.layers.push_back(originOf_[edge.left.index]);
-    reach.layers.push_back(originOf_[edge.right.index]);
-    movers.push_back(moves[edge.left.index] ? edge.left : edge.right);
-  }
+  std::vector<bool> isSeed(moves.size(), false);
+  for (const FacetId piece : pieces) isSeed[piece.index] = true;
+  const auto addCreases = [&](bool evenJoined) {
+    for (const Edge& edge : state_.pattern.edges) {
+      if (edge.kind != EdgeKind::Hinge || !(moves[edge.left.index] || moves[edge.right.index]))
+        continue;
+      const bool isJoined = moves[edge.left.index] && moves[edge.right.index];
+      const bool isOfSeed = isSeed[edge.left.index] || isSeed[edge.right.index];
+      if ((isJoined && !isOfSeed && !evenJoined) || !isFlatOnLine(edge)) continue;
+      widen(reach.stretch, stretchOf(edge), reach.creases.empty());
+      reach.creases.push_back(stretchOf(edge));
+      reach.layers.push_back(originOf_[edge.left.index]);
+      reach.layers.push_back(originOf_[edge.right.index]);
+      const bool isLeft =
+          isJoined ? (sideOfPiece(edge.left) > 0) == leftMoves : moves[edge.left.index];
+      movers.push_back(isLeft ? edge.left : edge.right);
+    }
+  };
+  addCreases(false);
+  // Paper that hangs together round the line everywhere: the fold would stretch it, and says where.
+  if (reach.layers.empty()) addCreases(true);
   std::sort(reach.layers.begin(), reach.layers.end());
   reach.layers.erase(std::unique(reach.layers.begin(), reach.layers.end()), reach.layers.end());
   std::sort(movers.begin(), movers.end());
