@@ -17,11 +17,13 @@ struct Line2 {
 
 /// The seven Huzita-Justin operations (guide/algorithms.md; Huzita 1989, Justin 1986, Hatori 2001).
 /// Points and lines are of one plane, mm. Each returns all lines that do it, in a fixed order; none
-/// when there is none. `resolution`: mm within which things are the same.
+/// when there is none, and none when any number of lines would do (a point that already lies where
+/// it shall go, a line of no length). `resolution`: mm within which things are the same.
 /// 1: through both points. 2: puts one point onto the other. 3: puts one line onto the other (both
-/// bisectors; the one between parallels). 4: through the point, square to the line. 5: puts `moved`
-/// onto the line, through `through`. 6: puts each point onto its line (up to three). 7: puts the
-/// point onto the line, square to the other line.
+/// bisectors, first that between the directions of the lines; the one between parallels). 4:
+/// through the point, square to the line. 5: puts `moved` onto the line, through `through`. 6: puts
+/// each point onto its line (up to three). 7: puts the point onto the line, square to the other
+/// line.
 std::vector<Line2> throughPoints(Vec2 a, Vec2 b, double resolution);
 std::vector<Line2> pointOntoPoint(Vec2 moved, Vec2 onto, double resolution);
 std::vector<Line2> lineOntoLine(const Line2& moved, const Line2& onto, double resolution);
@@ -33,12 +35,13 @@ std::vector<Line2> pointsOntoLines(Vec2 movedA, const Line2& ontoA, Vec2 movedB,
 std::vector<Line2> pointOntoLineSquareTo(Vec2 moved, const Line2& onto, const Line2& square,
                                          double resolution);
 
-/// Mirror image of a line in a line (thesis F31).
+/// Mirror image of a line in a line (thesis F31). A mirror of no length leaves all where it is.
 Line2 mirrored(const Line2& line, const Line2& mirror);
 Vec2 mirrored(Vec2 point, const Line2& mirror);
 /// Nearest point of the infinite line.
 Vec2 projectedOnto(Vec2 point, const Line2& line);
-/// The line through the corner that halves the angle between the rays to a and b.
+/// The line from the corner that halves the angle, of at most 180 degrees, between the rays to a
+/// and b.
 std::vector<Line2> bisectorOf(Vec2 a, Vec2 corner, Vec2 b, double resolution);
 
 }  // namespace kiri
