@@ -44,15 +44,25 @@ double clockwiseTurn(Vec2 from, Vec2 to) {
   return quarter > 0 ? quarter : 4;
 }
 
-/// Clockwise turn from the way back along an arc to an arc that leaves its end. Arcs that leave in
-/// one direction are told apart a little farther on.
-double turnBetween(const Arc& back, const Arc& out) {
-  const Vec2 a = startDirection(back);
-  const Vec2 b = startDirection(out);
-  const bool sameWay = std::abs(cross(a, b)) < kParallel && dot(a, b) > 0;
-  if (!sameWay || (!back.isCurved && !out.isCurved)) return clockwiseTurn(a, b);
+/// True when two arcs, one of them curved, leave their common start in one direction.
+bool leaveAlike(const Arc& a, const Arc& b) {
+  if (!a.isCurved && !b.isCurved) return false;
+  const Vec2 u = startDirection(a);
+  const Vec2 v = startDirection(b);
+  return std::abs(cross(u, v)) < kParallel && dot(u, v) > 0;
+}
+
+/// Clockwise turn from the way back along an arc to an arc that leaves its end, as it is a little
+/// farther on: tells arcs apart that leave alike.
+double turnAhead(const Arc& back, const Arc& out) {
   constexpr double kAhead = 1.0 / 16;
   return clockwiseTurn(pointAt(back, kAhead) - back.start, pointAt(out, kAhead) - out.start);
+}
+
+/// Clockwise turn from the way back along an arc to an arc that leaves its end.
+double turnBetween(const Arc& back, const Arc& out) {
+  if (leaveAlike(back, out)) return turnAhead(back, out);
+  return clockwiseTurn(startDirection(back), startDirection(out));
 }
 
 class Retracer {
@@ -83,6 +93,7 @@ class Retracer {
   /// The half-edge that keeps the same piece of paper on its left: the first one clockwise from the
   /// way back.
   std::size_t next(std::size_t h) const {
+    constexpr double kWayBack = 4.5;  // behind a full turn
     const VertexId at = halfEdges_[h].end;
     auto it =
         std::lower_bound(byStart_.begin(), byStart_.end(), std::make_pair(at, std::size_t{0}));
@@ -93,12 +104,16 @@ class Retracer {
     const Arc back = arcOf(pattern_, EdgeUse{use.edge, !use.isReversed});
     std::size_t best = it->second;
     double bestTurn = 5;
+    Arc bestArc;
     for (; it != byStart_.end() && it->first == at; ++it) {
       const EdgeUse out = halfEdges_[it->second].use;
       const bool isWayBack = out.edge == use.edge && out.isReversed != use.isReversed;
-      const double turn = isWayBack ? 4.5 : turnBetween(back, arcOf(pattern_, out));
-      if (turn < bestTurn) {
+      const Arc arc = arcOf(pattern_, out);
+      const double turn = isWayBack ? kWayBack : turnBetween(back, arc);
+      const bool isTied = turn < kWayBack && bestTurn < kWayBack && leaveAlike(arc, bestArc);
+      if (isTied ? turnAhead(back, arc) < turnAhead(back, bestArc) : turn < bestTurn) {
         bestTurn = turn;
+        bestArc = arc;
         best = it->second;
       }
     }

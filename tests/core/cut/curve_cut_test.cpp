@@ -149,6 +149,23 @@ TEST(CurveCut, OfADiscFollowsBothCurves) {
   EXPECT_TRUE(isClean(state));
 }
 
+TEST(CurveCut, ThatEndsAlongACreaseLeavesItTheOneWayItIsSeen) {
+  // At its end the curve, the crease up and the crease down meet; two of them leave in one
+  // direction.
+  for (const char* edges : {"edge 50,0 50,100", "edge 50,0 50,100; tear 50,0 50,50",
+                            "edge 50,0 50,100; edge 0,50 100,50"}) {
+    SCOPED_TRACE(edges);
+    const FoldedState state =
+        run(std::string("square 100; ") + edges + "; curve 75,0 25,75 50,50 50,25 in 75,25");
+    EXPECT_TRUE(isClean(state));
+    EXPECT_NEAR(areaOf(state), 10000, 1e-6);
+    const FoldedState mirrored =
+        run(std::string("square 100; ") + edges + "; curve 25,0 75,75 50,50 50,25 in 25,25");
+    EXPECT_TRUE(isClean(mirrored));
+    EXPECT_EQ(facetCount(mirrored), facetCount(state));
+  }
+}
+
 TEST(CurveCut, ThatCrossesItselfIsRefused) {
   EXPECT_TRUE(failsWith(
       tryRun("square 100; curve @model -20,50 110,50 110,90 20,90 20,10 50,-30 keep m:2,2"),
