@@ -117,7 +117,7 @@ class RandomHand {
       return;
     }
     ++applied;
-    if (applied % 16 == 0) EXPECT_TRUE(isSound(*after));
+    if (applied % 16 == 0) EXPECT_TRUE(isSound(*after)) << textOf(hand_.step());
   }
 
   static constexpr Key keys_[] = {Key::Escape, Key::Enter, Key::Delete,   Key::Backspace,
