@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "render/canvas/cairo_canvas.h"
@@ -21,7 +22,17 @@ struct Destroy {
   void operator()(cairo_t* cr) const { cairo_destroy(cr); }
 };
 
-Image pixelsOf(cairo_surface_t* surface, int width, int height) {
+std::uint8_t byteOf(std::uint32_t word, int shift) {
+  return static_cast<std::uint8_t>(word >> shift & 0xFF);
+}
+
+/// cairo holds colours multiplied by their alpha.
+std::uint8_t divided(std::uint8_t product, std::uint8_t alpha) {
+  constexpr int kFull = 255;
+  return static_cast<std::uint8_t>(std::min(kFull, (product * kFull + alpha / 2) / alpha));
+}
+
+Image pixelsOf(cairo_surface_t* surface, int width, int height, bool isOpaque) {
   Image image{width, height, {}};
   image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   cairo_surface_flush(surface);
@@ -33,18 +44,25 @@ Image pixelsOf(cairo_surface_t* surface, int width, int height) {
     for (int x = 0; x < width; ++x, row += 4, out += 4) {
       std::uint32_t word = 0;
       std::memcpy(&word, row, sizeof word);
-      out[0] = static_cast<std::uint8_t>(word >> 16 & 0xFF);
-      out[1] = static_cast<std::uint8_t>(word >> 8 & 0xFF);
-      out[2] = static_cast<std::uint8_t>(word & 0xFF);
-      out[3] = 0xFF;
+      const std::uint8_t alpha = isOpaque ? std::uint8_t{0xFF} : byteOf(word, 24);
+      if (alpha == 0) continue;
+      out[0] = divided(byteOf(word, 16), alpha);
+      out[1] = divided(byteOf(word, 8), alpha);
+      out[2] = divided(byteOf(word, 0), alpha);
+      out[3] = alpha;
     }
   }
   return image;
 }
 
-}  // namespace
+void paintGround(cairo_t* cr, const Color& ground) {
+  constexpr double kFull = 255;
+  cairo_set_source_rgb(cr, ground.red / kFull, ground.green / kFull, ground.blue / kFull);
+  cairo_paint(cr);
+}
 
-Result<Image> rasterise(const Scene& scene, int width, int height) {
+/// On a ground, or on nothing.
+Result<Image> drawn(const Scene& scene, int width, int height, const std::optional<Color>& ground) {
   const Status size = checkPage(scene);
   if (!size) return size.error();
   constexpr int kMost = 16384;
@@ -55,13 +73,10 @@ Result<Image> rasterise(const Scene& scene, int width, int height) {
                  {}};
   }
   const std::unique_ptr<cairo_surface_t, Destroy> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+      cairo_image_surface_create(ground ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width, height));
   const std::unique_ptr<cairo_t, Destroy> cr(cairo_create(surface.get()));
   const double perMm = std::min(width / scene.width, height / scene.height);
-  const Color ground = scene.background.value_or(Color{255, 255, 255});
-  constexpr double kFull = 255;
-  cairo_set_source_rgb(cr.get(), ground.red / kFull, ground.green / kFull, ground.blue / kFull);
-  cairo_paint(cr.get());
+  if (ground) paintGround(cr.get(), *ground);
   cairo_translate(cr.get(), (width - scene.width * perMm) / 2, (height - scene.height * perMm) / 2);
   cairo_scale(cr.get(), perMm, perMm);
   constexpr double kSeamPixels = 3;
@@ -72,7 +87,17 @@ Result<Image> rasterise(const Scene& scene, int width, int height) {
                      cairo_status_to_string(cairo_status(cr.get())) + "; try a smaller size",
                  {}};
   }
-  return pixelsOf(surface.get(), width, height);
+  return pixelsOf(surface.get(), width, height, ground.has_value());
+}
+
+}  // namespace
+
+Result<Image> rasterise(const Scene& scene, int width, int height) {
+  return drawn(scene, width, height, scene.background.value_or(Color{255, 255, 255}));
+}
+
+Result<Image> rasteriseTransparent(const Scene& scene, int width, int height) {
+  return drawn(scene, width, height, std::nullopt);
 }
 
 }  // namespace kiri

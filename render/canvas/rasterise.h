@@ -13,4 +13,8 @@ namespace kiri {
 /// or more than 16384 pixels on a side.
 Result<Image> rasterise(const Scene& scene, int width, int height);
 
+/// The same without a background: what is not drawn on is transparent, pixels at its border in
+/// part. For pictures that are laid on something.
+Result<Image> rasteriseTransparent(const Scene& scene, int width, int height);
+
 }  // namespace kiri
