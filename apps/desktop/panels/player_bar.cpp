@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "apps/desktop/look/icons.h"
 
@@ -20,6 +21,10 @@ constexpr int kFrame = 16;      // ms: 60 pictures a second
 constexpr double kTicks = 100;  // of the slider for a second
 constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4};
 constexpr int kNormalSpeed = 2;  // index
+
+double speedAt(int index) {
+  return kSpeeds[std::clamp(index, 0, static_cast<int>(std::size(kSpeeds)) - 1)];
+}
 
 QToolButton* button(const QString& name, const QString& help, QWidget* parent) {
   auto* made = new QToolButton(parent);
@@ -75,9 +80,8 @@ PlayerBar::PlayerBar(SessionHub& hub, QWidget* parent)
   connect(forward, &QToolButton::clicked, this, [this] { skip(1); });
   connect(close_, &QToolButton::clicked, this, &PlayerBar::stop);
   connect(loop_, &QToolButton::toggled, this, &PlayerBar::setLoops);
-  connect(speed_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    hub_.session().player().setSpeed(kSpeeds[std::clamp(index, 0, 4)]);
-  });
+  connect(speed_, &QComboBox::currentIndexChanged, this,
+          [this](int index) { hub_.session().player().setSpeed(speedAt(index)); });
   connect(slider_, &QSlider::valueChanged, this, &PlayerBar::scrub);
   connect(&hub, &SessionHub::changed, this, &PlayerBar::refresh);
   refresh();
@@ -96,16 +100,25 @@ void PlayerBar::togglePlay() {
   play();
 }
 
-/// Opens the film first, where it is not open: that may take a while, so the wish is remembered.
 void PlayerBar::play() {
   Session& session = hub_.session();
-  wantsToPlay_ = true;
-  if (!session.isPlayerOpen()) session.openPlayer();
+  if (session.isPlayerOpen()) {
+    begin();
+  } else {
+    session.openPlayer();  // the time line may take a while; it plays as soon as it is there
+  }
   refresh();
 }
 
+void PlayerBar::begin() {
+  Player& player = hub_.session().player();
+  player.setSpeed(speedAt(speed_->currentIndex()));
+  player.setLoops(loop_->isChecked());
+  player.play();
+  hub_.session().playerMoved();
+}
+
 void PlayerBar::stop() {
-  wantsToPlay_ = false;
   hub_.session().player().pause();
   hub_.session().closePlayer();
   refresh();
@@ -114,6 +127,7 @@ void PlayerBar::stop() {
 void PlayerBar::skip(int steps) {
   Session& session = hub_.session();
   if (!session.isPlayerOpen()) {
+    isHeldAtOpening_ = true;
     session.openPlayer();
     return;
   }
@@ -136,7 +150,6 @@ void PlayerBar::scrub(int ticks) {
   if (isUpdating_) return;
   Session& session = hub_.session();
   if (!session.isPlayerOpen()) return;
-  wantsToPlay_ = false;
   session.player().pause();
   session.player().seek(ticks / kTicks);
   session.playerMoved();
@@ -154,11 +167,10 @@ void PlayerBar::refresh() {
   Session& session = hub_.session();
   const bool isOpen = session.isPlayerOpen();
   Player& player = session.player();
-  if (isOpen && wantsToPlay_) {
-    wantsToPlay_ = false;
-    player.setSpeed(kSpeeds[std::clamp(speed_->currentIndex(), 0, 4)]);
-    player.setLoops(loop_->isChecked());
-    player.play();
+  if (isOpen != wasOpen_) {
+    wasOpen_ = isOpen;
+    if (isOpen && !isHeldAtOpening_) begin();
+    isHeldAtOpening_ = false;
   }
   const bool isPlaying = isOpen && player.isPlaying();
   if (isPlaying && !timer_.isActive()) {

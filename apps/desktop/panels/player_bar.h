@@ -36,6 +36,7 @@ class PlayerBar final : public QFrame {
   void tick();
   void refresh();
   void play();
+  void begin();
   void scrub(int ticks);
 
   SessionHub& hub_;
@@ -47,7 +48,8 @@ class PlayerBar final : public QFrame {
   QLabel* place_;
   QTimer timer_;
   QElapsedTimer clock_;
-  bool wantsToPlay_ = false;  ///< as soon as the time line is there
+  bool wasOpen_ = false;
+  bool isHeldAtOpening_ = false;  ///< the film was opened to look at a moment, not to play
   bool isUpdating_ = false;
 };
 

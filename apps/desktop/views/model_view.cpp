@@ -27,13 +27,12 @@ ModelView::ModelView(SessionHub& hub, AppearanceStore& look, Drawing drawing, QW
                    "itself and come a little later.")
                     .arg(why));
   });
-  adopt(view, view->input());
+  adopt(view);
 }
 
-void ModelView::adopt(QWidget* view, PaneInput& input) {
+void ModelView::adopt(QWidget* view) {
   view->setAccessibleName(tr("The folded model"));
   view->setAccessibleDescription(tr("Fold, cut and turn the paper here"));
-  connect(&input, &PaneInput::tapped, this, &ModelView::tapped);
   layout_->addWidget(view);
   layout_->setCurrentWidget(view);
   setFocusProxy(view);
@@ -42,7 +41,7 @@ void ModelView::adopt(QWidget* view, PaneInput& input) {
 void ModelView::useSoftware(const QString& why) {
   auto* view = new RasterModelView(hub_, look_, this);
   view->setNotice(why);
-  adopt(view, view->input());
+  adopt(view);
 }
 
 QWidget* ModelView::surface() const { return layout_->currentWidget(); }

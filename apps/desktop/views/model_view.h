@@ -11,8 +11,6 @@ class QStackedLayout;
 
 namespace kiri::desktop {
 
-class PaneInput;
-
 /// Draws with OpenGL, and where that is not to be had with pictures made by the program, with a
 /// sentence that says so. Everything else works the same.
 class ModelView final : public QWidget {
@@ -30,13 +28,9 @@ class ModelView final : public QWidget {
   QSize minimumSizeHint() const override { return {160, 160}; }
   QSize sizeHint() const override { return {760, 560}; }
 
- signals:
-  /// Space was tapped.
-  void tapped();
-
  private:
   void useSoftware(const QString& why);
-  void adopt(QWidget* view, PaneInput& input);
+  void adopt(QWidget* view);
 
   SessionHub& hub_;
   AppearanceStore& look_;

@@ -16,10 +16,9 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr double kUnitsPerNotch = 120;    // QWheelEvent: eighths of a degree, 15 degrees a notch
-constexpr double kPixelsPerNotch = 50;    // of a trackpad, that zoom as much as a notch
-constexpr double kFingerSlack = 6;        // pixels that a finger may tremble before it draws
-constexpr qint64 kTapMilliseconds = 300;  // Space held longer was meant to pan
+constexpr double kUnitsPerNotch = 120;  // QWheelEvent: eighths of a degree, 15 degrees a notch
+constexpr double kPixelsPerNotch = 50;  // of a trackpad, that zoom as much as a notch
+constexpr double kFingerSlack = 6;      // pixels that a finger may tremble before it draws
 
 Modifiers modifiersOf(Qt::KeyboardModifiers keys) {
   return {.shift = keys.testFlag(Qt::ShiftModifier),
@@ -150,7 +149,6 @@ void PaneInput::send(PointerAction action, QPointF at, PointerButton button,
 
 bool PaneInput::mouse(QMouseEvent* event) {
   if (event->source() != Qt::MouseEventNotSynthesized) return true;  // of fingers: see touch
-  isSpaceAlone_ = isSpaceAlone_ && event->type() == QEvent::MouseMove;
   switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick: {
@@ -197,12 +195,6 @@ bool PaneInput::space(QKeyEvent* event) {
   out.modifiers = modifiersOf(event->modifiers());
   out.isPress = isPress;
   session_.key(out);
-  if (isPress) {
-    isSpaceAlone_ = true;
-    sinceSpace_.start();
-  } else if (isSpaceAlone_ && sinceSpace_.elapsed() < kTapMilliseconds) {
-    emit tapped();
-  }
   return true;
 }
 

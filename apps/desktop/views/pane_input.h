@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QPointF>
 #include <QWidget>
@@ -26,11 +25,6 @@ class PaneInput final : public QObject {
 
   /// True when the event is dealt with.
   bool handle(QEvent* event);
-
- signals:
-  /// Space was pressed and let go without anything between.
-  void tapped();
-  void contextMenuWanted(QPoint globalPosition);
 
  private:
   bool mouse(QMouseEvent* event);
@@ -56,8 +50,6 @@ class PaneInput final : public QObject {
   Fingers fingers_ = Fingers::None;
   QPointF firstTouch_;
   Qt::KeyboardModifiers touchKeys_;
-  QElapsedTimer sinceSpace_;
-  bool isSpaceAlone_ = false;
 };
 
 }  // namespace kiri::desktop

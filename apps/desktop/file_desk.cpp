@@ -1,0 +1,176 @@
+// Opening, saving and closing models, with care for what is not saved.
+// SPDX-License-Identifier: MIT
+#include "apps/desktop/file_desk.h"
+
+#include <QFileInfo>
+#include <QPointer>
+#include <optional>
+#include <utility>
+
+#include "apps/desktop/look/convert.h"
+#include "io/file.h"
+#include "io/kiri_reader.h"
+#include "io/kiri_writer.h"
+
+namespace kiri::desktop {
+
+/// What came of a file: a document, or a sentence.
+struct FileDesk::Reading {
+  std::optional<Document> document;
+  std::optional<Error> error;
+  QStringList warnings;
+};
+
+namespace {
+
+Phrase phrase(const char* text, const QString& argument) {
+  return {text, {argument.toStdString()}};
+}
+
+}  // namespace
+
+FileDesk::FileDesk(SessionHub& hub, Settings& settings, std::unique_ptr<FilePrompts> prompts,
+                   QObject* parent)
+    : QObject(parent), hub_(hub), settings_(settings), prompts_(std::move(prompts)) {}
+
+QString FileDesk::name() const {
+  const Document& document = hub_.session().document();
+  if (!document.path().empty()) return QFileInfo(toQt(document.path())).fileName();
+  const QString title = toQt(document.model().title);
+  return title.isEmpty() ? tr("Untitled") : title;
+}
+
+bool FileDesk::isModified() const { return hub_.session().document().isModified(); }
+
+void FileDesk::whenSafe(std::function<void()> goOn) {
+  if (!isModified()) return goOn();
+  switch (prompts_->askToSave(name())) {
+    case SaveAnswer::Save:
+      return saveThen(std::move(goOn));
+    case SaveAnswer::Discard:
+      return goOn();
+    case SaveAnswer::Cancel:
+      return;
+  }
+}
+
+void FileDesk::openModel(Model model) {
+  whenSafe([this, model = std::move(model)] { show(model); });
+}
+
+void FileDesk::openFile(const QString& path) {
+  whenSafe([this, path] { read(path); });
+}
+
+void FileDesk::askAndOpen() {
+  whenSafe([this] {
+    const QString path = prompts_->fileToOpen();
+    if (!path.isEmpty()) read(path);
+  });
+}
+
+void FileDesk::show(Model model) {
+  isBusy_ = true;
+  auto reading = std::make_shared<Reading>();
+  hub_.runner().start({{QT_TRANSLATE_NOOP("editor/session", "Folding the model"), {}},
+                       [reading, model = std::move(model)](const Progress&) mutable {
+                         Result<Document> made = Document::create(std::move(model));
+                         if (made) {
+                           reading->document = std::move(*made);
+                         } else {
+                           reading->error = made.error();
+                         }
+                       },
+                       [desk = QPointer<FileDesk>(this), reading] {
+                         if (desk) desk->finishReading(*reading, {});
+                       }});
+}
+
+void FileDesk::read(const QString& path) {
+  isBusy_ = true;
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  auto reading = std::make_shared<Reading>();
+  const auto work = [reading, file = absolute.toStdString(),
+                     name = QFileInfo(path).fileName().toStdString()](const Progress&) {
+    const auto fail = [&](const Error& error) { reading->error = error; };
+    const Result<std::string> bytes = readFile(file);
+    if (!bytes) return fail(bytes.error());
+    Result<LoadedModel> loaded = readKiri(*bytes, name);
+    if (!loaded) return fail(loaded.error());
+    for (const std::string& warning : loaded->warnings) reading->warnings << toQt(warning);
+    Result<Document> made = Document::create(std::move(loaded->model));
+    if (!made) return fail(made.error());
+    reading->document = std::move(*made);
+    reading->document->setPath(file);
+    reading->document->noteSaved();
+  };
+  hub_.runner().start(
+      {phrase(QT_TRANSLATE_NOOP("editor/session", "Opening %1"), QFileInfo(path).fileName()), work,
+       [desk = QPointer<FileDesk>(this), reading, absolute] {
+         if (desk) desk->finishReading(*reading, absolute);
+       }});
+}
+
+void FileDesk::finishReading(const Reading& reading, const QString& path) {
+  isBusy_ = false;
+  if (reading.error) {
+    if (!path.isEmpty()) settings_.removeRecentFile(path);
+    return tell(tr("The model cannot be opened"), toQt(reading.error->message));
+  }
+  if (!reading.document) return;  // stopped
+  hub_.session().open(*reading.document);
+  if (!path.isEmpty()) settings_.addRecentFile(path);
+  emit opened();
+  if (!reading.warnings.isEmpty()) emit warned(reading.warnings);
+}
+
+void FileDesk::save() { saveThen({}); }
+
+void FileDesk::saveAs() {
+  const Document& document = hub_.session().document();
+  const QString suggestion = document.path().empty() ? name() + ".kiri" : toQt(document.path());
+  const QString path = prompts_->fileToSave(suggestion);
+  if (!path.isEmpty()) write(path, {});
+}
+
+void FileDesk::saveThen(std::function<void()> then) {
+  const Document& document = hub_.session().document();
+  QString path = toQt(document.path());
+  if (path.isEmpty()) path = prompts_->fileToSave(name() + ".kiri");
+  if (!path.isEmpty()) write(path, std::move(then));
+}
+
+void FileDesk::write(const QString& path, std::function<void()> then) {
+  isBusy_ = true;
+  const Document& document = hub_.session().document();
+  auto problem = std::make_shared<std::optional<Error>>();
+  const auto work = [problem, file = path.toStdString(),
+                     model = document.model()](const Progress&) {
+    const Status written = writeFile(file, writeKiri(model));
+    if (!written) *problem = written.error();
+  };
+  const auto done = [desk = QPointer<FileDesk>(this), problem, path, then = std::move(then),
+                     revision = document.revision()] {
+    if (!desk) return;
+    desk->isBusy_ = false;
+    if (*problem) {
+      return desk->tell(tr("The model cannot be saved"), toQt((*problem)->message));
+    }
+    // A step that was made meanwhile is saved as well.
+    if (desk->hub_.session().document().revision() != revision) return desk->write(path, then);
+    desk->hub_.session().noteSaved(path.toStdString());
+    desk->settings_.addRecentFile(path);
+    emit desk->saved(path);
+    if (then) then();
+  };
+  hub_.runner().start(
+      {phrase(QT_TRANSLATE_NOOP("editor/session", "Saving %1"), QFileInfo(path).fileName()), work,
+       done});
+}
+
+void FileDesk::tell(const QString& title, const QString& text) {
+  emit failed(text);
+  prompts_->tellProblem(title, text);
+}
+
+}  // namespace kiri::desktop
