@@ -6,6 +6,7 @@
 
 #include "core/fold/fold.h"
 #include "editor/tools/seen_side.h"
+#include "editor/view/picking.h"
 
 namespace kiri {
 namespace {
@@ -150,6 +151,9 @@ std::optional<FoldOffer::Plan> FoldOffer::planFor(const Scope& scope, const Fold
   layers_.look(scope, place.line, isGrabbedSide ? place.grabbed : std::nullopt, place.pane,
                {paper, plan.leftMoves, place.isEndless});
   plan.taken = layers_.taken();
+  // Paper that is dragged so far that its crease would lie beside it.
+  if (plan.taken.empty() && place.isEndless && layers_.mode() == LayerMode::Hand)
+    return std::nullopt;
   Stretch stretch = layers_.stretch();
   const Reach reach =
       paper.reachOf(paper.piecesAlong(plan.taken, plan.leftMoves, stretch), plan.leftMoves);
@@ -212,10 +216,23 @@ void FoldOffer::turnSide(const Scope& scope) {
   lookAgain(scope);
 }
 
-void FoldOffer::toggleLayer(const Scope& scope, FacetId facet) {
+bool FoldOffer::pressLayers(const PointerEvent& event, const Scope& scope) {
+  if (!isFor(*scope.state)) return false;
+  auto facet = fan_.cardUnder(event, scope, plan_->segment, source_->pane);
+  if (!facet && !event.modifiers.control) return false;
+  if (!facet) {
+    const auto pick = pickPaper(*scope.state, scope.map(event.pane), event.at);
+    if (!pick) return true;
+    facet = pick->spot.facet;
+  }
   isBySelection_ = false;
-  layers_.toggle(*scope.state, facet);
+  layers_.toggle(*scope.state, *facet);
   lookAgain(scope);
+  return true;
+}
+
+void FoldOffer::hoverLayers(const PointerEvent& event, const Scope& scope) {
+  if (isFor(*scope.state)) fan_.hover(event, scope, plan_->segment, source_->pane);
 }
 
 std::optional<FacetLine> FoldOffer::segment(const FoldedState& state) const {

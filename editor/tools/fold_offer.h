@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/tools/facet_name.h"
+#include "editor/tools/layer_fan.h"
 #include "editor/tools/layer_picker.h"
 #include "editor/tools/tool.h"
 
@@ -37,7 +38,9 @@ class FoldOffer {
   LayerPicker& layers() { return layers_; }
   void setType(FoldType asSeen, const Scope& scope);
   void turnSide(const Scope& scope);
-  void toggleLayer(const Scope& scope, FacetId facet);
+  /// A press that picks layers: on a card of the fan, or with Ctrl on paper. False: it is none.
+  bool pressLayers(const PointerEvent& event, const Scope& scope);
+  void hoverLayers(const PointerEvent& event, const Scope& scope);
 
   std::optional<FoldStep> step() const;
   /// The line as far as it goes; none when nothing is offered for this state.
@@ -96,6 +99,7 @@ class FoldOffer {
   void addFaults(const Scope& scope, Marks& marks) const;
 
   LayerPicker layers_;
+  LayerFan fan_;
   FoldType seenType_ = FoldType::Valley;  ///< as the person chose it
   FoldType stepType_ = FoldType::Valley;  ///< as steps count
   double angle_ = 180;

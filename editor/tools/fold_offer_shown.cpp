@@ -66,6 +66,10 @@ void FoldOffer::addFields(const Scope& scope, std::vector<Field>& fields) const 
                     {1, std::max<double>(1, static_cast<double>(layers_.stack().size())), 1, ""},
                     {KIRI_TEXT("editor/tools", "How many layers from the top"), {}}));
   }
+  fields.push_back(switchField(
+      "fan", {KIRI_TEXT("editor/tools", "Show layers"), {}}, fan_.isOpen(),
+      {KIRI_TEXT("editor/tools", "Fans the layers under the line out, to be picked by a click"),
+       {}}));
   if (!plan_->missing.empty()) {
     fields.push_back(buttonField(
         "remedy", {KIRI_TEXT("editor/tools", "Add the layers that must come along"), {}},
@@ -96,6 +100,8 @@ bool FoldOffer::setField(const std::string& id, const FieldValue& value, const S
   } else if (id == "count") {
     if (isNumber) layers_.setCount(static_cast<int>(std::clamp(value.number, 1.0, 1e6)));
     lookAgain(scope);
+  } else if (id == "fan") {
+    fan_.setOpen(value.number > 0.5);
   } else if (id == "remedy") {
     if (isFor(*scope.state) && !plan_->missing.empty()) {
       std::vector<FacetId> all = plan_->taken;
@@ -157,6 +163,7 @@ void FoldOffer::addMarks(const Scope& scope, Marks& marks) const {
     marks.push_back(PathMark{role(scope), {from, to}, false, false});
   addArrow(scope, marks);
   addFaults(scope, marks);
+  fan_.addMarks(scope, plan_->segment, source_->pane, plan_->taken, marks);
 }
 
 std::vector<TintedFacet> FoldOffer::tints(const Scope& scope) const {

@@ -70,7 +70,7 @@ Reaction FoldTool::pointer(const PointerEvent& event, const Scope& scope) {
 
 Reaction FoldTool::press(const PointerEvent& event, const Scope& scope) {
   caught_.clear();
-  if (phase_ == Phase::Resting && event.pane == pane_) {
+  if (phase_ == Phase::Resting && !event.modifiers.control && event.pane == pane_) {
     const auto held = heldAt(scope.map(pane_), *scope.state);
     if (held && distance(*held, event.at) <= handleReach(event)) {
       phase_ = Phase::Grabbing;
@@ -78,11 +78,7 @@ Reaction FoldTool::press(const PointerEvent& event, const Scope& scope) {
     }
     if (line_.takeHandle(event, scope)) return Reaction::handled();
   }
-  if (phase_ == Phase::Resting && event.modifiers.control) {
-    const auto pick = pickPaper(*scope.state, scope.map(event.pane), event.at);
-    if (pick) offer_.toggleLayer(scope, pick->spot.facet);
-    return Reaction::handled();
-  }
+  if (phase_ == Phase::Resting && offer_.pressLayers(event, scope)) return Reaction::handled();
   pressed_ = event;
   return Reaction::handled();
 }
@@ -237,6 +233,7 @@ std::optional<Vec2> FoldTool::heldAt(const PaneMap& map, const FoldedState& stat
 
 void FoldTool::hover(const PointerEvent& event, const Scope& scope) {
   caught_.clear();
+  offer_.hoverLayers(event, scope);
   const PaneMap& map = scope.map(event.pane);
   cursor_ = CursorShape::Cross;
   if (!pickPaper(*scope.state, map, event.at)) return;

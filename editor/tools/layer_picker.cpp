@@ -92,6 +92,16 @@ std::vector<FacetId> LayerPicker::topmostAlong(const FoldedState& state, const F
   return facets;
 }
 
+std::vector<FacetId> LayerPicker::crossedAmong(const FoldedState& state, const FacetLine& line,
+                                               Stretch within, Vec3 up,
+                                               std::optional<Spot> grabbed) const {
+  if (!grabbed) return topmostAlong(state, line, within, up, 1);
+  for (const Crossed& c : crossedBy(state, line, within)) {
+    if (c.facet == grabbed->facet) return {c.facet};
+  }
+  return {};
+}
+
 std::vector<FacetId> LayerPicker::chosenOnes(const FoldedState& state,
                                              const FacetLine& line) const {
   std::vector<FacetId> facets;
@@ -141,6 +151,8 @@ void LayerPicker::look(const Scope& scope, const FacetLine& line, std::optional<
   if (!reach.layers.empty())
     stretch_ = hand.isEndless ? reach.stretch : joined(drawn, reach.stretch);
   taken_ = reach.layers;
+  // Paper that the line crosses without dividing it: the fold itself says what is wrong.
+  if (taken_.empty()) taken_ = crossedAmong(state, line, drawn, up, grabbed);
 
   const double gap = state.tolerance().match() / distance(line.from, line.to);
   if (hand.isEndless && mode_ == LayerMode::All)

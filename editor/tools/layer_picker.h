@@ -64,6 +64,8 @@ class LayerPicker {
   void lookAtStack(const FoldedState& state, const FacetLine& line, Stretch within, Vec3 up);
   std::vector<FacetId> topmostAlong(const FoldedState& state, const FacetLine& line, Stretch within,
                                     Vec3 up, int count) const;
+  std::vector<FacetId> crossedAmong(const FoldedState& state, const FacetLine& line, Stretch within,
+                                    Vec3 up, std::optional<Spot> grabbed) const;
   std::vector<FacetId> chosenOnes(const FoldedState& state, const FacetLine& line) const;
   void reachChosen(const FoldedState& state, const FacetLine& line);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "editor/tools/tool_fields.h"
-#include "editor/view/picking.h"
 
 namespace kiri {
 namespace {
@@ -38,18 +37,17 @@ Reaction LineTool::pointer(const PointerEvent& event, const Scope& scope) {
   if (event.action == PointerAction::Press) {
     return event.button == PointerButton::Left ? press(event, scope) : Reaction::ignored();
   }
-  if (event.action == PointerAction::Move && !isDrawn()) builder_.hover(event, scope);
+  if (event.action == PointerAction::Move) {
+    if (!isDrawn()) builder_.hover(event, scope);
+    offer_.hoverLayers(event, scope);
+  }
   return byHand(event, scope);
 }
 
 Reaction LineTool::press(const PointerEvent& event, const Scope& scope) {
   if (offer_.isThere() && !line_.isMoving()) {
-    if (line_.takeHandle(event, scope)) return Reaction::handled();
-    if (event.modifiers.control) {
-      const auto pick = pickPaper(*scope.state, scope.map(event.pane), event.at);
-      if (pick) offer_.toggleLayer(scope, pick->spot.facet);
-      return Reaction::handled();
-    }
+    if (!event.modifiers.control && line_.takeHandle(event, scope)) return Reaction::handled();
+    if (offer_.pressLayers(event, scope)) return Reaction::handled();
     pressed_ = event;
     return Reaction::handled();
   }
@@ -102,21 +100,33 @@ void LineTool::look(const Scope& scope, bool isNew) {
   offer_.look(scope, {*line, pane_, std::nullopt, isEndless_, isNew});
 }
 
+/// Lines that pass the paper by are no solutions.
 void LineTool::showBuilt(const Scope& scope) {
   solutions_ = 0;
   const auto built = builder_.build(scope);
-  if (!built || built->lines.empty()) {
+  std::vector<Line2> lines;
+  if (built) {
+    isEndless_ = built->isEndless;
+    for (const Line2& line : built->lines) {
+      offer_.look(scope, placed(built->frame, line));
+      if (offer_.isThere()) lines.push_back(line);
+    }
+  }
+  if (lines.empty()) {
     line_.reset();
     return offer_.drop();
   }
-  solutions_ = built->lines.size();
+  solutions_ = lines.size();
   solution_ = std::min(solution_, solutions_ - 1);
-  const Line2& line = built->lines[solution_];
-  isEndless_ = built->isEndless;
+  const Line2& line = lines[solution_];
   line_.set(*scope.state, {built->frame, line.from, line.to}, pane_);
-  look(scope, true);
+  offer_.look(scope, placed(built->frame, line));
   const auto segment = offer_.segment(*scope.state);
   if (isEndless_ && segment) line_.set(*scope.state, *segment, pane_);
+}
+
+FoldPlace LineTool::placed(FacetId frame, const Line2& line) const {
+  return {{frame, line.from, line.to}, pane_, std::nullopt, isEndless_, true};
 }
 
 void LineTool::nextSolution(int by, const Scope& scope) {

@@ -37,6 +37,7 @@ class LineTool final : public Tool {
   void look(const Scope& scope, bool isNew);
   void finish(const Scope& scope);
   void showBuilt(const Scope& scope);
+  FoldPlace placed(FacetId frame, const Line2& line) const;
   void nextSolution(int by, const Scope& scope);
   void startConstruction(Construction kind, const Scope& scope);
   bool isDrawn() const;

@@ -52,6 +52,16 @@ inline Field buttonField(std::string id, Phrase label, Phrase help) {
   return field;
 }
 
+inline Field switchField(std::string id, Phrase label, bool isOn, Phrase help) {
+  Field field;
+  field.id = std::move(id);
+  field.label = std::move(label);
+  field.kind = Field::Kind::Switch;
+  field.value = isOn ? 1 : 0;
+  field.help = std::move(help);
+  return field;
+}
+
 inline Field textField(std::string id, Phrase label, std::string text, Phrase help) {
   Field field;
   field.id = std::move(id);
