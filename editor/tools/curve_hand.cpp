@@ -39,13 +39,25 @@ std::vector<Vec2> polyline(const std::vector<Arc>& arcs, int perArc) {
   return points;
 }
 
-/// The facet that is seen at a pixel, or whose edge is seen nearest to it.
+/// The facet that is seen at a pixel, or one whose picture is nearest to it.
 std::optional<FacetId> nearestPaper(const Scope& scope, Pane pane, Vec2 pixels) {
+  const FoldedState& state = *scope.state;
   const PaneMap& map = scope.map(pane);
-  if (const auto pick = pickPaper(*scope.state, map, pixels)) return pick->spot.facet;
-  const double reach = 4 * (length(map.size) + length(pixels));
-  if (const auto pick = pickEdge(*scope.state, map, pixels, reach)) return pick->spot.facet;
-  return std::nullopt;
+  if (const auto pick = pickPaper(state, map, pixels)) return pick->spot.facet;
+  std::optional<FacetId> best;
+  double nearest = HUGE_VAL;
+  for (std::size_t f = 0; f < state.pattern.facets.size(); ++f) {
+    for (const EdgeUse use : state.pattern[FacetId(f)].border) {
+      const Arc arc = arcOf(state.pattern, use);
+      const Arc seen = Arc::line(map.toPixels(state, {FacetId(f), arc.start}),
+                                 map.toPixels(state, {FacetId(f), arc.end}));
+      const double away = nearestOn(seen, pixels).distance;
+      if (!(away < nearest)) continue;
+      nearest = away;
+      best = FacetId(f);
+    }
+  }
+  return best;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "editor/tools/edge_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 #include <utility>
@@ -14,6 +15,7 @@ namespace {
 /// Where a facet's side of an edge comes nearest to the pointer.
 struct Projected {
   EdgeHit hit;
+  FacetId side;
   Vec2 at;  ///< pixels
 };
 
@@ -33,21 +35,65 @@ Projected nearestOn(const FoldedState& state, const PaneMap& map, EdgeId id, Fac
     const auto place = map.onPlaneOf(state, side, at);
     if (place) t = std::clamp(dot(*place - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
   }
-  return {{id, t, lerp(a, b, t), distance(at, pixels)}, at};
+  return {{id, t, lerp(a, b, t), distance(at, pixels)}, side, at};
 }
 
-/// An edge that is hidden has no edge seen where it lies.
-bool isSeenAt(const FoldedState& state, const PaneMap& map, Vec2 at) {
-  constexpr double kNear = 1.5;
-  return pickEdge(state, map, at, kNear).has_value();
-}
+/// The paper that is seen on both sides of a point of an edge; edges that lie on each other ask for
+/// the same.
+class SeenBeside {
+ public:
+  SeenBeside(const FoldedState& state, const PaneMap& map) : state_(state), map_(map) {}
+
+  /// Whether one of the edge's facets is seen beside it there.
+  bool has(const Projected& here) {
+    const Edge& edge = state_.pattern[here.hit.edge];
+    const Vec2 a = map_.toPixels(state_, {here.side, state_.pattern[edge.from]});
+    const Vec2 way = map_.toPixels(state_, {here.side, state_.pattern[edge.to]}) - a;
+    if (length(way) < kAside) return false;  // seen end-on
+    const Vec2 along = normalized(way);
+    // Away from the ends, where other edges go off.
+    const double at = std::clamp(dot(here.at - a, along), std::min(2 * kAside, length(way) / 2),
+                                 std::max(length(way) - 2 * kAside, length(way) / 2));
+    const Look& seen = look(a + along * at, along);
+    return std::any_of(seen.facets.begin(), seen.facets.end(),
+                       [&](const auto& f) { return f && (*f == edge.left || *f == edge.right); });
+  }
+  std::size_t looks() const { return looks_.size(); }
+
+ private:
+  struct Look {
+    Vec2 at;
+    Vec2 along;
+    std::array<std::optional<FacetId>, 2> facets;
+  };
+
+  const Look& look(Vec2 at, Vec2 along) {
+    constexpr double kSame = 1.0 / 16;
+    for (const Look& look : looks_) {
+      if (distance(at, look.at) < kSame && std::abs(cross(along, look.along)) < kSame) return look;
+    }
+    Look look{at, along, {}};
+    for (std::size_t i = 0; i < look.facets.size(); ++i) {
+      const Vec2 aside = perpendicular(along) * (i == 0 ? kAside : -kAside);
+      const auto pick = pickPaper(state_, map_, at + aside);
+      if (pick) look.facets[i] = pick->spot.facet;
+    }
+    looks_.push_back(look);
+    return looks_.back();
+  }
+
+  static constexpr double kAside = 1.5;  ///< pixels
+  const FoldedState& state_;
+  const PaneMap& map_;
+  std::vector<Look> looks_;
+};
 
 }  // namespace
 
 std::vector<EdgeHit> edgesUnder(const FoldedState& state, const PaneMap& map, Vec2 pixels,
                                 double reach, const std::function<bool(EdgeId)>& isMeant) {
   constexpr double kSamePlace = 0.75;
-  constexpr int kMostLooks = 24;
+  constexpr std::size_t kMostLooks = 24;
   std::vector<Projected> near;
   for (std::size_t e = 0; e < state.pattern.edges.size(); ++e) {
     const Edge& edge = state.pattern.edges[e];
@@ -63,11 +109,11 @@ std::vector<EdgeHit> edgesUnder(const FoldedState& state, const PaneMap& map, Ve
   });
   std::vector<EdgeHit> hits;
   std::optional<Vec2> at;
-  int looks = 0;
+  SeenBeside seen(state, map);
   for (const Projected& here : near) {
     if (!at) {
-      if (++looks > kMostLooks) break;
-      if (!isSeenAt(state, map, here.at)) continue;
+      if (seen.looks() > kMostLooks) break;
+      if (!seen.has(here)) continue;
       at = here.at;
     }
     if (distance(here.at, *at) > kSamePlace) break;

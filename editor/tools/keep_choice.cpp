@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 
 #include "core/model/apply.h"
 #include "editor/tools/drawn_line.h"
@@ -47,13 +49,16 @@ std::vector<Piece> piecesWith(const FoldedState& after) {
 std::vector<Piece> partsOf(const FoldedState& before, const FoldedState& after) {
   std::vector<Piece> pieces = piecesWith(after);
   const std::vector<std::uint32_t> oldPiece = piecesOf(before.pattern);
-  std::vector<std::uint32_t> from;
-  for (const Piece& piece : pieces) {
-    const std::optional<FacetId> facet = facetAt(before.pattern, piece.place);
-    from.push_back(facet ? oldPiece[facet->index] : FacetId::kNone);
+  const bool wasWhole = std::count(oldPiece.begin(), oldPiece.end(), 0U) ==
+                        static_cast<std::ptrdiff_t>(oldPiece.size());
+  std::vector<std::uint32_t> from(pieces.size(), 0);
+  for (std::size_t i = 0; i < pieces.size() && !wasWhole; ++i) {
+    const std::optional<FacetId> facet = facetAt(before.pattern, pieces[i].place);
+    from[i] = facet ? oldPiece[facet->index] : FacetId::kNone;
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    pieces[i].isParted = std::count(from.begin(), from.end(), from[i]) > 1;
+  std::map<std::uint32_t, int> parts;
+  for (const std::uint32_t old : from) ++parts[old];
+  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].isParted = parts[from[i]] > 1;
   return pieces;
 }
 
@@ -70,6 +75,68 @@ const Piece* bestOf(const std::vector<Piece>& pieces, CutHabit habit) {
     if (!best || piece.rim < best->rim) best = &piece;
   }
   return habit == CutHabit::Shape && best ? best : largest;
+}
+
+/// True when the pieces can be told into two sides such that every cut lies between the two. Then
+/// the kernel keeps a side; otherwise a facet would be on both, or only trying tells.
+bool haveTwoSides(const FoldedState& after) {
+  const std::vector<std::uint32_t> pieceOf = piecesOf(after.pattern);
+  std::vector<std::vector<std::uint32_t>> beyond(pieceOf.size());
+  for (const Edge& edge : after.pattern.edges) {
+    if (edge.kind != EdgeKind::Cut) continue;
+    const std::uint32_t a = pieceOf[edge.left.index];
+    const std::uint32_t b = pieceOf[edge.right.index];
+    beyond[a].push_back(b);
+    beyond[b].push_back(a);
+  }
+  std::vector<int> side(pieceOf.size(), 0);
+  for (std::uint32_t first = 0; first < beyond.size(); ++first) {
+    if (side[first] != 0) continue;
+    side[first] = 1;
+    std::vector<std::uint32_t> open{first};
+    while (!open.empty()) {
+      const std::uint32_t piece = open.back();
+      open.pop_back();
+      for (const std::uint32_t other : beyond[piece]) {
+        if (side[other] == side[piece]) return false;
+        if (side[other] == 0) open.push_back(other);
+        side[other] = -side[piece];
+      }
+    }
+  }
+  return true;
+}
+
+/// What the step leads to: as the preview has it, or found now. None when it does not apply.
+std::shared_ptr<const FoldedState> outcomeOf(const Scope& scope, const Step& step) {
+  const Preview* known = scope.preview;
+  if (known && known->before == scope.state && known->step == step) return known->after;
+  Result<FoldedState> after = apply(*scope.state, step, scope.number);
+  return after ? std::make_shared<const FoldedState>(std::move(*after)) : nullptr;
+}
+
+bool haveSameBorder(const CreasePattern& p, FacetId a, const CreasePattern& q, FacetId b) {
+  const std::vector<EdgeUse>& border = p[a].border;
+  const std::vector<EdgeUse>& other = q[b].border;
+  if (border.size() != other.size()) return false;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    if (p[startOf(p, border[i])] != q[startOf(q, other[i])]) return false;
+  }
+  return true;
+}
+
+/// For each piece whether it is still there in `now`, which is `all` without some of its facets: a
+/// cut that drops paper leaves the rest in its order.
+std::vector<bool> piecesIn(const FoldedState& now, const FoldedState& all) {
+  const std::vector<std::uint32_t> pieceOf = piecesOf(all.pattern);
+  std::vector<bool> isThere(pieceOf.size(), false);
+  std::size_t next = 0;
+  for (std::size_t f = 0; f < pieceOf.size() && next < now.pattern.facets.size(); ++f) {
+    if (!haveSameBorder(all.pattern, FacetId(f), now.pattern, FacetId(next))) continue;
+    isThere[pieceOf[f]] = true;
+    ++next;
+  }
+  return isThere;
 }
 
 Step withKeep(const Step& cut, Keep keep) {
@@ -91,14 +158,14 @@ void KeepChoice::suggest(const Scope& scope, const Step& cut, CutHabit habit) {
   if (isChosen_) return;
   reset();
   const FoldedState& state = *scope.state;
-  const Result<FoldedState> all = apply(state, withKeep(cut, {}), scope.number);
+  const auto all = outcomeOf(scope, withKeep(cut, {}));
   if (!all) return;
   const std::vector<Piece> pieces = partsOf(state, *all);
   const Piece* best = bestOf(pieces, habit);
   if (!best) return;
   mark_ = best->place;
   mode_ = Mode::Side;
-  if (apply(state, withKeep(cut, keep(state)), scope.number)) return;
+  if (haveTwoSides(*all) || outcomeOf(scope, withKeep(cut, keep(state)))) return;
   mode_ = Mode::Pieces;  // the sides hang together somewhere, but the cut parts pieces
   for (const Piece& piece : pieces) {
     if (!piece.isParted || &piece == best) pieces_.push_back(piece.place);
@@ -107,25 +174,23 @@ void KeepChoice::suggest(const Scope& scope, const Step& cut, CutHabit habit) {
 
 void KeepChoice::toggle(const Scope& scope, const Step& cut, Vec2 paper) {
   const FoldedState& state = *scope.state;
-  const Result<FoldedState> all = apply(state, withKeep(cut, {}), scope.number);
-  const Result<FoldedState> now = apply(state, withKeep(cut, keep(state)), scope.number);
+  const auto all = outcomeOf(scope, withKeep(cut, {}));
   if (!all) return;
-  const std::vector<std::uint32_t> pieceOf = piecesOf(all->pattern);
-  const auto pieceAt = [&](Vec2 place) {
-    const std::optional<FacetId> facet = facetAt(all->pattern, place);
-    return facet ? pieceOf[facet->index] : FacetId::kNone;
-  };
-  const std::uint32_t clicked = pieceAt(paper);
-  if (clicked == FacetId::kNone) return;
+  const auto now = mode_ == Mode::All ? all : outcomeOf(scope, withKeep(cut, keep(state)));
+  const std::vector<Piece> pieces = piecesWith(*all);
+  const std::optional<FacetId> clicked = facetAt(all->pattern, paper);
+  if (!clicked) return;
+  const std::uint32_t which = piecesOf(all->pattern)[clicked->index];
+  const std::vector<bool> wasKept =
+      now ? piecesIn(*now, *all) : std::vector<bool>(pieces.size(), true);
   std::vector<Vec2> kept;
   std::vector<Vec2> others;
-  for (const Piece& piece : piecesWith(*all)) {
-    const bool isKept = !now || facetAt(now->pattern, piece.place).has_value();
-    const bool isClicked = pieceAt(piece.place) == clicked;
-    if (isClicked != isKept) kept.push_back(piece.place);
-    if (!isClicked) others.push_back(piece.place);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const bool isClicked = i == which;
+    if (isClicked != wasKept[i]) kept.push_back(pieces[i].place);
+    if (!isClicked) others.push_back(pieces[i].place);
   }
-  if (kept.empty()) kept = others;
+  if (kept.empty()) kept = std::move(others);
   if (kept.empty()) return;
   pieces_ = std::move(kept);
   mode_ = Mode::Pieces;
@@ -171,17 +236,19 @@ Keep KeepChoice::keep(const FoldedState& state) const {
 }
 
 void KeepChoice::addMarks(const FoldedState& state, Marks& marks) const {
+  constexpr std::size_t kMostWords = 8;
+  constexpr std::size_t kMostPoints = 64;
   const auto add = [&](Vec2 place, MarkRole role) {
     const std::optional<FacetId> facet = facetAt(state.pattern, place);
     if (!facet) return;
     marks.push_back(PointMark{role, Spot{*facet, place}});
+    if (pieces_.size() > kMostWords) return;
     marks.push_back(TextMark{role, Spot{*facet, place}, {KIRI_TEXT("editor/tools", "stays"), {}}});
   };
   if (mode_ == Mode::Side && mark_)
     add(*mark_, isHeld_ ? MarkRole::ActiveHandle : MarkRole::Handle);
-  if (mode_ == Mode::Pieces) {
-    for (const Vec2 place : pieces_) add(place, MarkRole::Selected);
-  }
+  if (mode_ != Mode::Pieces || pieces_.size() > kMostPoints) return;
+  for (const Vec2 place : pieces_) add(place, MarkRole::Selected);
 }
 
 void KeepChoice::addFields(std::vector<Field>& fields) const {

@@ -28,6 +28,7 @@ Vec2 middleOf(const FoldedState& state, EdgeId edge) {
 
 void MendTool::reset() {
   hovered_.reset();
+  isPressed_ = false;
   isAll_ = false;
   hasAlt_ = false;
 }
@@ -48,11 +49,9 @@ TornRun MendTool::meant(const FoldedState& state, EdgeId edge) const {
 }
 
 Reaction MendTool::pointer(const PointerEvent& event, const Scope& scope) {
-  if (event.action == PointerAction::Leave) {
-    hovered_.reset();
-    return Reaction::ignored();
-  }
   const bool isPress = event.action == PointerAction::Press && event.button == PointerButton::Left;
+  if (isBusy() && !isPress) return Reaction::ignored();
+  if (event.action == PointerAction::Leave) hovered_.reset();
   if (event.action != PointerAction::Move && !isPress) return Reaction::ignored();
   const FoldedState& state = *scope.state;
   hasAlt_ = event.modifiers.alt;
@@ -64,8 +63,10 @@ Reaction MendTool::pointer(const PointerEvent& event, const Scope& scope) {
     if (!hovered_ || (canBeMended(state, hit.edge) && !canBeMended(state, *hoveredIn(state))))
       hovered_ = middleOf(state, hit.edge);
   }
-  if (!isPress || !hovered_) return Reaction::ignored();
+  if (!isPress) return Reaction::ignored();
   isAll_ = false;
+  isPressed_ = hovered_.has_value();
+  if (!isPressed_) return Reaction::ignored();
   return {.isHandled = true, .wantsCommit = true};
 }
 

@@ -14,7 +14,7 @@ class MendTool final : public Tool {
   Reaction pointer(const PointerEvent& event, const Scope& scope) override;
   Reaction key(const KeyEvent& event, const Scope& scope) override;
   void reset() override;
-  bool isBusy() const override { return isAll_; }
+  bool isBusy() const override { return isAll_ || isPressed_; }
 
   std::optional<Proposal> proposal(const Scope& scope) const override;
   Marks marks(const Scope& scope) const override;
@@ -29,6 +29,7 @@ class MendTool final : public Tool {
   TornRun meant(const FoldedState& state, EdgeId edge) const;
 
   std::optional<Vec2> hovered_;  ///< middle of a torn edge, paper frame
+  bool isPressed_ = false;       ///< it is to be mended, wherever the pointer goes
   bool isAll_ = false;           ///< everything is to be mended
   bool isEdgeOnly_ = false;
   bool hasAlt_ = false;
