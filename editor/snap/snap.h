@@ -35,10 +35,17 @@ struct Snapped {
 };
 
 /// What a pixel means. `frame`: the facet whose plane the point must lie in (that of the line that
-/// is being drawn); none: the uppermost paper under the pixel, or none at all when no paper is
-/// there. `from`: the start of the line, in the paper frame of `frame`, for angle steps. What is
-/// nearer wins; of what is about equally near a vertex wins over a middle, a middle over an edge.
-/// Directions of angle steps count from the edge that `from` lies on, else from the x axis.
+/// is being drawn); none: the uppermost paper under the pixel, or that of what is caught from
+/// beside the paper, or none at all when no paper is near. `from`: the start of the line, in the
+/// paper frame of `frame`, for angle steps; they count from the edge that `from` lies on, else from
+/// the x axis.
+///
+/// Caught are vertices, middles, crossings and edges that are seen; with a frame, those of its
+/// plane (on the sheet, all). What is nearer wins; of what is about equally near a vertex wins over
+/// a crossing, that over a middle, a middle over a division, and points over edges, directions and
+/// the grid. Where an edge lies on a direction of an angle step, their meeting wins over both. The
+/// point is exact: a vertex of the frame's own facet to the last bit, one of another facet of the
+/// plane as the poses carry it.
 std::optional<Snapped> snapPoint(const FoldedState& state, const PaneMap& map, Vec2 pixels,
                                  const SnapSettings& settings,
                                  std::optional<FacetId> frame = std::nullopt,

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "editor/view/picking.h"
@@ -76,6 +79,46 @@ class Neighbourhood {
   std::vector<Layers> sets_;
   std::vector<FacetId> ids_;
 };
+
+/// What is seen around points of a neighbourhood, remembered: in a stack, many things lie at few
+/// points. Keeps a reference.
+class SeenPlaces {
+ public:
+  explicit SeenPlaces(const Neighbourhood& near) : near_(near) {}
+
+  /// True when paper of the facet is seen at the pixel or right beside it.
+  bool has(FacetId facet, Vec2 pixels);
+
+ private:
+  const Neighbourhood& near_;
+  std::map<std::pair<double, double>, std::vector<FacetId>> known_;  ///< by rounded pixels
+};
+
+/// A point of an edge, exactly on the paper's own curve, wherever its picture is only near.
+struct EdgePoint {
+  double t = 0;  ///< on the part of the edge that is looked at
+  Vec2 paper;
+  Vec2 at;            ///< pixels
+  double pixels = 0;  ///< from what it was asked for
+};
+
+/// The point of an edge at `t`, and how far it is from a pixel.
+EdgePoint pointOf(const EdgeInView& edge, double t, const Neighbourhood& near, Vec2 pixels);
+
+/// An edge within a radius.
+struct EdgeNear {
+  std::size_t number = 0;  ///< in the list of edges
+  EdgePoint nearest;
+};
+
+/// The edges within `radius` pixels, hidden or not, the nearest first.
+std::vector<EdgeNear> edgesNear(const std::vector<EdgeInView>& edges, const Neighbourhood& near,
+                                Vec2 pixels, double radius);
+
+/// The nearest point of an edge that is seen, where its nearest point `hidden` is not: found among
+/// points along the edge, then between a hidden and a seen one.
+std::optional<EdgePoint> nearestSeen(const EdgeInView& edge, const Neighbourhood& near,
+                                     SeenPlaces& seen, Vec2 pixels, double radius, double hidden);
 
 /// pickVertex and pickEdge within the radius of a neighbourhood.
 std::optional<VertexPick> pickVertex(const Neighbourhood& near, Vec2 pixels, double radius);
