@@ -20,6 +20,8 @@ struct Next {
   Movements movements;
 };
 
+Error cancelled() { return {ErrorCode::Cancelled, "the folds were stopped on their way", {}}; }
+
 /// The first line that can move about its own axis without a collision; else the first that can
 /// move at all.
 Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wanted,
@@ -44,9 +46,11 @@ Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wan
 
 /// Tries the lines in turn and again until all have moved.
 Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted> wanted,
-                                   Movements* record) {
+                                   Movements* record, const Progress& progress) {
   FoldedState state = start;
+  const auto all = static_cast<double>(wanted.size());
   while (!wanted.empty()) {
+    if (!goesOn(progress, 1 - static_cast<double>(wanted.size()) / all)) return cancelled();
     Result<Next> next = nextToMove(state, wanted, record != nullptr);
     if (!next) return next.error();
     state = std::move(next->state);
@@ -58,9 +62,11 @@ Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted>
 }
 
 Result<FoldedState> moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
-                                Movements* record) {
+                                Movements* record, const Progress& progress) {
   FoldedState state = start;
+  double done = 0;
   for (const auto& [line, amount] : wanted) {
+    if (!goesOn(progress, done++ / static_cast<double>(wanted.size()))) return cancelled();
     Result<FoldedState> next = setAmount(state, line, amount, record);
     if (!next) return next.error();
     state = std::move(*next);
@@ -154,10 +160,12 @@ FoldedState endOf(const FoldedState& start, const std::shared_ptr<const RigidPat
 /// Line by line says how the paper comes to lie. It moves all at once where it can without meeting
 /// itself on the way, or where that is the only way.
 Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wanted>& wanted,
-                                 Movements* record) {
+                                 Movements* record, const Progress& progress) {
   Movements oneByOne;
-  Result<FoldedState> end = moveInAnyOrder(start, wanted, record != nullptr ? &oneByOne : nullptr);
-  if (end && record == nullptr) return end;
+  Result<FoldedState> end =
+      moveInAnyOrder(start, wanted, record != nullptr ? &oneByOne : nullptr, progress);
+  const bool isStopped = !end && end.error().code == ErrorCode::Cancelled;
+  if (isStopped || (end && record == nullptr)) return end;
   const std::shared_ptr<const RigidPath> path = pathFor(start, wanted);
   if (!end && path != nullptr) end = endOf(start, path, wanted);
   if (!end || record == nullptr) return end;
@@ -184,20 +192,21 @@ bool areAllFolded(const FoldedState& state, const std::vector<FoldLineId>& lines
 }  // namespace
 
 Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
-                                GroupMotion motion, Movements* record) {
+                                GroupMotion motion, Movements* record, const Progress& progress) {
   std::reverse(lines.begin(), lines.end());
   const std::vector<Wanted> wanted = wantedOf(state, lines, true);
-  if (motion == GroupMotion::InOrder) return moveInOrder(state, wanted, record);
-  Result<FoldedState> next = moveTogether(state, wanted, record);
-  if (!next && areAllFolded(state, lines)) return flattened(state);
+  if (motion == GroupMotion::InOrder) return moveInOrder(state, wanted, record, progress);
+  Result<FoldedState> next = moveTogether(state, wanted, record, progress);
+  if (!next && next.error().code != ErrorCode::Cancelled && areAllFolded(state, lines))
+    return flattened(state);
   return next;
 }
 
 Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
-                                GroupMotion motion, Movements* record) {
+                                GroupMotion motion, Movements* record, const Progress& progress) {
   const std::vector<Wanted> wanted = wantedOf(state, lines, false);
-  return motion == GroupMotion::InOrder ? moveInOrder(state, wanted, record)
-                                        : moveTogether(state, wanted, record);
+  return motion == GroupMotion::InOrder ? moveInOrder(state, wanted, record, progress)
+                                        : moveTogether(state, wanted, record, progress);
 }
 
 }  // namespace kiri

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/fold/movement.h"
 #include "core/paper/folded_state.h"
@@ -19,11 +20,14 @@ enum class GroupMotion {
 };
 
 /// Folds the lines (in this order) to 0, or to the amounts they were last folded to. Together and
-/// all of them to 0 always succeeds: flat paper is flat. Errors: those of setAmount. `record` gets
-/// the movements; none where the paper would have to bend on the way.
+/// all of them to 0 always succeeds: flat paper is flat. Errors: those of setAmount; Cancelled.
+/// `record` gets the movements; none where the paper would have to bend on the way. `progress` is
+/// asked before each line that is tried.
 Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
-                                GroupMotion motion, Movements* record = nullptr);
+                                GroupMotion motion, Movements* record = nullptr,
+                                const Progress& progress = {});
 Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
-                                GroupMotion motion, Movements* record = nullptr);
+                                GroupMotion motion, Movements* record = nullptr,
+                                const Progress& progress = {});
 
 }  // namespace kiri

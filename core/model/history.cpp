@@ -57,7 +57,7 @@ void renameLine(Step& step, const std::string& from, const std::string& to) {
 /// All of the model but its steps.
 Model headOf(const Model& model) {
   Model head = model;
-  head.steps.clear();
+  std::vector<Step>().swap(head.steps);  // clear() would keep the room for them
   return head;
 }
 
@@ -247,6 +247,10 @@ HistoryDifference History::exchange(HistoryDifference difference) {
   replay_.start = std::move(difference.start);
   count_ = difference.count;
   cursor_ = difference.cursor;
+  if (replay_.outcomes.size() < model_.steps.size()) {
+    const Status done = replayFrom(replay_.outcomes.size(), {});
+    KIRI_CHECK(done.isOk(), "nobody stops this replay");
+  }
   return back;
 }
 

@@ -19,8 +19,8 @@ namespace kiri {
 struct HistoryDifference {
   std::size_t first = 0;  ///< steps before this are the same
   std::vector<Step> steps;
-  std::vector<StepOutcome> outcomes;
-  std::optional<Model> head;  ///< all of the model but its steps, where that differs
+  std::vector<StepOutcome> outcomes;  ///< one for each step, or none: forgotten to save memory
+  std::optional<Model> head;          ///< all of the model but its steps, where that differs
   std::shared_ptr<const FoldedState> start;
   std::size_t count = 0;
   std::size_t cursor = 0;
@@ -76,7 +76,7 @@ class History {
 
   /// What `other` has that this has not.
   HistoryDifference differenceTo(const History& other) const;
-  /// Becomes the other history; returns the way back.
+  /// Becomes the other history; returns the way back. Outcomes that were forgotten are replayed.
   HistoryDifference exchange(HistoryDifference difference);
 
  private:

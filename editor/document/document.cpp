@@ -18,6 +18,13 @@ Change asking(Ask ask) {
   };
 }
 
+std::size_t facetsIn(const std::vector<StepOutcome>& outcomes) {
+  std::size_t facets = 0;
+  for (const StepOutcome& outcome : outcomes)
+    facets += outcome.state ? outcome.state->pattern.facets.size() : 0;
+  return facets;
+}
+
 }  // namespace
 
 Document::Document(History history) : history_(std::move(history)) {
@@ -64,6 +71,28 @@ void Document::become(History next, Phrase what) {
     past_.push_back(std::move(turn));
   }
   history_ = std::move(next);
+  forgetFarStates();
+}
+
+bool Document::isLong(const std::vector<Turn>& turns) {
+  if (turns.empty() || !turns.back().other) return false;
+  return turns.back().other->outcomes.size() < turns.back().other->steps.size();
+}
+
+void Document::keepFacets(std::size_t most) {
+  facetsKept_ = most;
+  forgetFarStates();
+}
+
+void Document::forgetFarStates() {
+  for (std::vector<Turn>* turns : {&past_, &future_}) {
+    std::size_t kept = 0;
+    for (auto turn = turns->rbegin(); turn != turns->rend(); ++turn) {
+      if (!turn->other) continue;
+      kept += facetsIn(turn->other->outcomes);
+      if (kept > facetsKept_) turn->other->outcomes = {};
+    }
+  }
 }
 
 bool Document::canUndo() const { return cursor() < count() || !past_.empty(); }
@@ -80,6 +109,7 @@ bool Document::undo() {
     history_.undo();
   }
   future_.push_back(std::move(turn));
+  forgetFarStates();
   return true;
 }
 
@@ -94,6 +124,7 @@ bool Document::redo() {
     history_.redo();
   }
   past_.push_back(std::move(turn));
+  forgetFarStates();
   return true;
 }
 

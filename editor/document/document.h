@@ -53,6 +53,13 @@ class Document {
   bool canRedo() const { return !future_.empty(); }
   bool undo();
   bool redo();
+  /// True when undo and redo have to replay steps, for so much was changed since that their states
+  /// were forgotten: better done with a copy of the document, beside the window.
+  bool isUndoLong() const { return cursor() == count() && isLong(past_); }
+  bool isRedoLong() const { return isLong(future_); }
+  /// States that only undo and redo need are kept as long as they have no more facets in all, the
+  /// nearest first. A facet takes about half a kilobyte.
+  void keepFacets(std::size_t most);
   /// Shows the model after `count` steps; no change of the model. Steps that were undone are redone
   /// up to there. False when there is nothing to show otherwise.
   bool jumpTo(std::size_t count);
@@ -78,6 +85,8 @@ class Document {
   };
 
   explicit Document(History history);
+  static bool isLong(const std::vector<Turn>& turns);
+  void forgetFarStates();
 
   History history_;
   std::vector<Turn> past_;      ///< the last is undone next
@@ -85,6 +94,7 @@ class Document {
   std::optional<Model> saved_;  ///< none: there is no file like it
   std::string path_;
   std::uint64_t revision_ = 0;
+  std::size_t facetsKept_ = 1500000;
 };
 
 /// The changes that a person makes. A step is added at the cursor, resolved (see

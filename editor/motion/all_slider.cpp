@@ -35,6 +35,10 @@ double turnTo(const FoldedState& from, const FoldedState& to) {
   return most;
 }
 
+bool isStopped(const Result<FoldedState>& end) {
+  return !end && end.error().code == ErrorCode::Cancelled;
+}
+
 Way wayTo(const FoldedState& state, Result<FoldedState> end, Movements movements) {
   if (!end) return {nullptr, end.error(), {}, 0};
   Way way{nullptr, std::nullopt, std::move(movements), 0};
@@ -53,7 +57,8 @@ struct AllSlider::Ways {
   double openness = 0;
 };
 
-Result<AllSlider> AllSlider::prepare(const FoldedState& state, Sequence sequence) {
+Result<AllSlider> AllSlider::prepare(const FoldedState& state, Sequence sequence,
+                                     const Progress& progress) {
   std::vector<FoldLineId> lines;
   for (std::size_t i = 0; i < state.lines.size(); ++i) {
     if (!hingesOf(state, FoldLineId(i)).empty()) lines.push_back(FoldLineId(i));
@@ -64,9 +69,14 @@ Result<AllSlider> AllSlider::prepare(const FoldedState& state, Sequence sequence
       sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InOrder;
   Movements opening;
   Movements closing;
-  Result<FoldedState> open = unfoldLines(state, lines, motion, &opening);
-  Result<FoldedState> closed = refoldLines(state, lines, motion, &closing);
-  if (!open && !closed) return open.error();
+  const auto half = [&progress](double from) {
+    return [&progress, from](double done) { return goesOn(progress, from + done / 2); };
+  };
+  Result<FoldedState> open = unfoldLines(state, lines, motion, &opening, half(0));
+  if (isStopped(open)) return open.error();
+  Result<FoldedState> closed = refoldLines(state, lines, motion, &closing, half(0.5));
+  if (isStopped(closed) || (!open && !closed))
+    return isStopped(closed) ? closed.error() : open.error();
   Ways ways{state, sequence, wayTo(state, std::move(open), std::move(opening)),
             wayTo(state, std::move(closed), std::move(closing)), 0};
   const double all = ways.opening.degrees + ways.closing.degrees;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/model/step.h"
 #include "core/paper/folded_state.h"
@@ -16,9 +17,11 @@ namespace kiri {
 /// ways.
 class AllSlider {
  public:
-  /// The ways from `state` to both ends. May take long where creases form closed loops. Errors:
-  /// NothingToDo - nothing is folded; when neither end can be reached, that of unfolding.
-  static Result<AllSlider> prepare(const FoldedState& state, Sequence sequence);
+  /// The ways from `state` to both ends. May take long where creases are many or form closed loops.
+  /// Errors: NothingToDo - nothing is folded; when neither end can be reached, that of unfolding;
+  /// Cancelled.
+  static Result<AllSlider> prepare(const FoldedState& state, Sequence sequence,
+                                   const Progress& progress = {});
 
   /// Where the state stands that the drag began with: the part of the degrees that are unfolded. It
   /// stands at an end that cannot be reached.

@@ -24,13 +24,21 @@ std::string stemOf(const std::string& name) {
 
 std::vector<FoldSlider> slidersOf(const FoldedState& state) {
   std::vector<FoldSlider> sliders(state.lines.size());
-  for (std::size_t i = 0; i < sliders.size(); ++i) {
-    const FoldLine& line = state.lines[i];
-    sliders[i] = {FoldLineId(i), line.name, line.isValley, amountOf(state, FoldLineId(i)), false};
-  }
+  for (std::size_t i = 0; i < sliders.size(); ++i)
+    sliders[i] = {FoldLineId(i), state.lines[i].name, state.lines[i].isValley, std::nullopt, false};
+  std::vector<bool> isTold(sliders.size(), false);
   for (const Edge& edge : state.pattern.edges) {
-    if (edge.kind == EdgeKind::Hinge && edge.line.isValid())
-      sliders[edge.line.index].canMove = true;
+    if (edge.kind != EdgeKind::Hinge || !edge.line.isValid() || isTold[edge.line.index]) continue;
+    FoldSlider& slider = sliders[edge.line.index];
+    const double here = edge.sign * edge.angle;
+    const bool isFirst = !slider.canMove;
+    slider.canMove = true;
+    if (isFirst || std::abs(*slider.amount - here) <= kSameAngle) {
+      slider.amount = here;
+    } else {
+      slider.amount.reset();
+      isTold[edge.line.index] = true;
+    }
   }
   return sliders;
 }

@@ -43,8 +43,9 @@ Step variant(Random& random, Step step) {
 }
 
 Change randomChange(Random& random, const Document& document) {
+  constexpr std::size_t kAdding = 11;
   const std::size_t count = document.count();
-  switch (count == 0 ? 0 : random.below(9)) {
+  switch (count == 0 ? kAdding : random.below(12)) {
     case 0: {
       SheetSpec square;
       square.width = 100 + static_cast<double>(random.below(3));
@@ -68,9 +69,16 @@ Change randomChange(Random& random, const Document& document) {
 /// A document and all versions that undo can reach, kept beside it.
 class Walk {
  public:
-  explicit Walk(std::uint64_t seed)
+  Walk(std::uint64_t seed, std::size_t facetsKept)
       : random_(seed), document_(Document::create(randomSheet(random_)).value()) {
+    document_.keepFacets(facetsKept);
     versions_ = {versionOf(document_)};
+  }
+
+  /// Steps only, so that there is something to walk on.
+  void grow() {
+    for (int i = 0; i < 40; ++i)
+      change(addStep(randomStep(random_, *document_.state(), {.facetLimit = 16})));
   }
 
   void go() {
@@ -83,11 +91,15 @@ class Walk {
       case 3:
         return look();
       default:
-        return change();
+        return change(randomChange(random_, document_));
     }
   }
 
+  bool hasReplayed() const { return hasReplayed_; }
+  std::size_t mostFacets() const { return mostFacets_; }
+
   void undo() {
+    hasReplayed_ |= document_.isUndoLong();
     if (document_.cursor() < document_.count()) {
       EXPECT_TRUE(document_.undo());
       EXPECT_EQ(document_.cursor(), document_.count());
@@ -99,6 +111,7 @@ class Walk {
   }
 
   void redo() {
+    hasReplayed_ |= document_.isRedoLong();
     EXPECT_EQ(document_.canRedo(), now_ + 1 < versions_.size());
     if (document_.redo()) ++now_;
     check();
@@ -122,6 +135,7 @@ class Walk {
 
  private:
   void check() {
+    mostFacets_ = std::max(mostFacets_, document_.state()->pattern.facets.size());
     EXPECT_EQ(versionOf(document_).file, versions_[now_].file);
     EXPECT_EQ(firstDifference(versionOf(document_).state, versions_[now_].state), "");
     EXPECT_EQ(document_.isModified(), versions_[now_].file != versions_[0].file);
@@ -132,8 +146,8 @@ class Walk {
     check();
   }
 
-  void change() {
-    Result<History> next = randomChange(random_, document_)(document_.history(), {});
+  void change(const Change& change) {
+    Result<History> next = change(document_.history(), {});
     if (!next) return check();
     document_.become(std::move(*next), {"change", {}});
     const Version version = versionOf(document_);
@@ -147,18 +161,34 @@ class Walk {
   Document document_;
   std::vector<Version> versions_;
   std::size_t now_ = 0;
+  bool hasReplayed_ = false;
+  std::size_t mostFacets_ = 0;
 };
 
 class DocumentWalk : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(DocumentWalk, UndoAndRedoGiveBackEveryVersionBitByBit) {
   SCOPED_TRACE("seed " + std::to_string(GetParam()));
-  Walk walk(GetParam());
-  for (int i = 0; i < 60 && !HasFailure(); ++i) walk.go();
+  Walk walk(GetParam(), SIZE_MAX);
+  walk.grow();
+  for (int i = 0; i < 100 && !HasFailure(); ++i) walk.go();
   walk.checkFile();
   walk.undoAll();
   walk.redoAll();
   walk.checkFile();
+  EXPECT_FALSE(walk.hasReplayed());
+  EXPECT_GT(walk.mostFacets(), 4u);
+}
+
+TEST_P(DocumentWalk, StatesThatWereForgottenComeBackBitByBit) {
+  SCOPED_TRACE("seed " + std::to_string(GetParam()));
+  Walk walk(GetParam(), 3);
+  walk.grow();
+  for (int i = 0; i < 100 && !HasFailure(); ++i) walk.go();
+  walk.undoAll();
+  walk.redoAll();
+  walk.checkFile();
+  EXPECT_TRUE(walk.hasReplayed());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, DocumentWalk, testing::Range<std::uint64_t>(1, 1 + kSeeds));

@@ -81,6 +81,27 @@ TEST(AllSlider, TogetherMovesAllLinesAtOnceAndInOrderOneAfterTheOther) {
   EXPECT_NEAR(amountOf(*inOrder, "B"), 90 - 0.2 * 270, 1e-9);
 }
 
+TEST(AllSlider, CanBeStoppedWhileItLooksForTheWays) {
+  const FoldedState folded = run(kTwo);
+  double last = 0;
+  int calls = 0;
+  const auto counting = [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+    ++calls;
+    return true;
+  };
+  ASSERT_TRUE(AllSlider::prepare(folded, Sequence::Together, counting).isOk());
+  EXPECT_GT(calls, 1);
+  for (int stop = 1; stop <= calls; ++stop) {
+    int left = stop;
+    const Result<AllSlider> stopped =
+        AllSlider::prepare(folded, Sequence::Together, [&left](double) { return --left > 0; });
+    ASSERT_FALSE(stopped.isOk());
+    EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  }
+}
+
 TEST(AllSlider, AFlatSheetHasNothingToOpen) {
   const Result<AllSlider> slider = AllSlider::prepare(run("square 100"), Sequence::Together);
   ASSERT_FALSE(slider.isOk());

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fold/fold_line.h"
 #include "core/model/apply.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
+#include "tests/support/random_steps.h"
 #include "tests/support/state_check.h"
 #include "tests/support/state_text.h"
 
@@ -29,6 +31,24 @@ TEST(FoldSliders, ShowEveryFoldLineInTheOrderOfFolding) {
   EXPECT_FALSE(sliders[1].isValley);
   EXPECT_DOUBLE_EQ(sliders[1].amount.value(), 90);
   EXPECT_TRUE(sliders[1].canMove);
+}
+
+TEST(FoldSliders, SayTheSameAsTheKernelOfEveryLine) {
+  int disagreeing = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    FoldedState state = startOf(randomSheet(random));
+    for (int i = 1; i <= 30; ++i) {
+      Result<FoldedState> next = apply(state, randomStep(random, state, {}), i);
+      if (next) state = std::move(*next);
+    }
+    for (const FoldSlider& slider : slidersOf(state)) {
+      EXPECT_EQ(slider.amount, amountOf(state, slider.line)) << "seed " << seed;
+      EXPECT_EQ(slider.canMove, !hingesOf(state, slider.line).empty());
+      disagreeing += slider.canMove && !slider.amount ? 1 : 0;
+    }
+  }
+  EXPECT_GT(disagreeing, 0);
 }
 
 TEST(FoldSliders, ALineWhoseCreaseIsTornCannotMove) {
