@@ -2,9 +2,6 @@
 #include "editor/tools/tool_marks.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/base/text.h"
 
 namespace kiri {
 namespace {
@@ -31,12 +28,7 @@ void addWitness(const FoldedState& state, const Witness& witness, Marks& marks) 
 
 void addCollisions(const std::vector<Collision>& collisions, Marks& marks) {
   for (std::size_t i = 0; i < std::min(collisions.size(), kMostCollisions); ++i) {
-    const Collision& c = collisions[i];
-    marks.push_back(PointMark{MarkRole::Collision, c.place});
-    const std::string degrees = text(std::round(c.degrees * 10) / 10);
-    marks.push_back(TextMark{MarkRole::Collision,
-                             c.place,
-                             {KIRI_TEXT("editor/tools", "meets paper at %1°"), {degrees}}});
+    marks.push_back(PointMark{MarkRole::Collision, collisions[i].place});
   }
 }
 

@@ -14,7 +14,7 @@ namespace kiri {
 /// The hinges and points that an error names, as faults. Those beside the paper are left out.
 void addWitness(const FoldedState& state, const Witness& witness, Marks& marks);
 
-/// A few of the collisions, each with the angle at which it happens.
+/// The places of a few of the collisions.
 void addCollisions(const std::vector<Collision>& collisions, Marks& marks);
 
 /// Selected things as marks: outlines of facets, points, lines.
