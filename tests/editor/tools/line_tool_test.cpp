@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "core/model/apply.h"
+#include "tests/editor/tools/images.h"
 #include "tests/editor/tools/tool_driver.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
 
 namespace kiri::test {
 namespace {
-
-Vec3 imageOf(const FoldedState& state, Vec2 paper) {
-  return state.poseOf(*facetAt(state.pattern, paper)).apply(paper);
-}
 
 FoldStep foldOf(const ToolDriver& hand) { return std::get<FoldStep>(hand.step().action); }
 
