@@ -137,14 +137,14 @@ Status History::replayFrom(std::size_t from, const Progress& progress) {
 
 Status History::edit(std::size_t index, Step step, const Progress& progress) {
   if (index >= count_) return noSuchStep(index, "edit");
-  if (const Status checked = checkNumbers(step); !checked) return checked;
+  if (const Status checked = checkNumbers(step); !checked) return checked.error();
   History next = *this;
   next.dropUndone();
   std::vector<Step>& steps = next.model_.steps;
   const std::optional<std::string> before = nameMadeBy(steps[index], index);
   const std::optional<std::string> now = nameMadeBy(step, index);
   if (now) {
-    if (const Status free = checkNameIsFree(steps, index, *now); !free) return free;
+    if (const Status free = checkNameIsFree(steps, index, *now); !free) return free.error();
   }
   const bool isSameAction = steps[index].action == step.action;
   steps[index] = std::move(step);
@@ -152,7 +152,7 @@ Status History::edit(std::size_t index, Step step, const Progress& progress) {
     for (std::size_t i = index + 1; i < steps.size(); ++i) renameLine(steps[i], *before, *now);
   }
   if (!isSameAction) {
-    if (const Status done = next.replayFrom(index, progress); !done) return done;
+    if (const Status done = next.replayFrom(index, progress); !done) return done.error();
   }
   *this = std::move(next);
   return std::monostate{};
@@ -170,7 +170,7 @@ Status History::remove(std::size_t index, const Progress& progress) {
   steps.erase(steps.begin() + offset(index));
   --next.count_;
   if (next.cursor_ > index) --next.cursor_;
-  if (const Status done = next.replayFrom(index, progress); !done) return done;
+  if (const Status done = next.replayFrom(index, progress); !done) return done.error();
   *this = std::move(next);
   return std::monostate{};
 }

@@ -67,6 +67,9 @@ void Document::become(History next, Phrase what) {
     HistoryDifference back = next.differenceTo(history_);
     const bool hasOneMore = next.model().steps.size() == history_.model().steps.size() + 1;
     Turn turn{std::move(what), std::nullopt};
+    const bool isAddedAtCursor = next.count() == history_.cursor() + 1 && !back.head;
+    if (isAddedAtCursor && turn.what.isEmpty())
+      turn.what = summaryOf(next.model().steps.back(), next.model().steps.size());
     if (!hasOneMore || !back.steps.empty() || back.head) turn.other = std::move(back);
     past_.push_back(std::move(turn));
   }
@@ -181,14 +184,16 @@ Change setSheet(SheetSpec sheet) {
 }
 
 Change setSides(PaperSide front, PaperSide back) {
-  return asking([front, back](History& history, const Progress&) -> Status {
+  return asking([front = std::move(front), back = std::move(back)](History& history,
+                                                                   const Progress&) -> Status {
     history.setSides(front, back);
     return std::monostate{};
   });
 }
 
 Change setTitle(std::string title, std::string notes) {
-  return asking([title, notes](History& history, const Progress&) -> Status {
+  return asking([title = std::move(title), notes = std::move(notes)](History& history,
+                                                                     const Progress&) -> Status {
     history.setTitle(title, notes);
     return std::monostate{};
   });

@@ -46,7 +46,8 @@ class Document {
   std::optional<Error> problemOf(std::size_t index) const { return history_.problemOf(index); }
 
   /// The next version, made by a change from history(). What had been undone is dropped. Nothing
-  /// happens to the versions when the model is the same.
+  /// happens to the versions when the model is the same. An empty `what` stands for the step that
+  /// was added.
   void become(History next, Phrase what);
   /// After jumpTo, undo comes back from there first.
   bool canUndo() const;

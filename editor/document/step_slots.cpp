@@ -248,7 +248,9 @@ class Collecting {
   void addPoints(std::size_t count, const std::string& id, Reach reach) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::string number = std::to_string(i + 1);
-      addPoint(id + "." + number,
+      std::string pointId = id;
+      pointId.append(".").append(number);
+      addPoint(pointId,
                {{KIRI_TEXT("editor/document", "Point %1, x"), {number}},
                 {KIRI_TEXT("editor/document", "Point %1, y"), {number}}},
                [reach, i](Step& step) -> Vec2& { return reach(step)[i]; });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/model/history.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
@@ -144,6 +146,90 @@ TEST(History, EditingBeyondTheEndIsAnError) {
   History history = opened(kThree);
   EXPECT_FALSE(history.edit(3, stepOf("turn")).isOk());
   EXPECT_FALSE(history.remove(7).isOk());
+}
+
+TEST(History, LookingAtAnEarlierStepTakesNoneOutOfForce) {
+  History history = opened(kThree);
+  EXPECT_TRUE(history.moveTo(1));
+  EXPECT_EQ(history.cursor(), 1u);
+  EXPECT_EQ(history.count(), 3u);
+  EXPECT_EQ(facetCount(history.state()), 2u);
+  EXPECT_FALSE(history.moveTo(1));
+  EXPECT_FALSE(history.moveTo(4));
+  history.undo();
+  EXPECT_EQ(history.cursor(), 2u);
+  EXPECT_TRUE(history.moveTo(3)) << "redoes";
+  EXPECT_EQ(history.count(), 3u);
+}
+
+TEST(History, AChangeDropsWhatWasUndone) {
+  History history = opened(kThree);
+  history.undo();
+  EXPECT_TRUE(history.edit(0, stepOf("fold A valley 30,0 30,100 left")).isOk());
+  EXPECT_EQ(history.model().steps.size(), 2u);
+  EXPECT_FALSE(history.edit(2, stepOf("turn")).isOk());
+}
+
+TEST(History, AStoppedChangeChangesNothing) {
+  History history = opened(kThree);
+  const auto never = [](double) { return false; };
+  SheetSpec sheet;
+  for (const Status& stopped : {history.edit(0, stepOf("turn"), never), history.remove(0, never),
+                                history.setSheet(sheet, never)}) {
+    ASSERT_FALSE(stopped.isOk());
+    EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  }
+  EXPECT_EQ(history.model(), modelOf(kThree));
+  EXPECT_DOUBLE_EQ(amountOf(history.state(), "B"), 90);
+}
+
+TEST(History, TwoHistoriesDifferByLittleWhereTheyAreAlike) {
+  const History three = opened(kThree);
+  History four = three;
+  ASSERT_TRUE(four.add(stepOf("turn")).isOk());
+  EXPECT_TRUE(four.differenceTo(three).steps.empty());
+  EXPECT_EQ(three.differenceTo(four).steps.size(), 1u);
+  History edited = four;
+  ASSERT_TRUE(edited.edit(2, stepOf("angle B 45")).isOk());
+  EXPECT_EQ(edited.differenceTo(four).first, 2u);
+  EXPECT_FALSE(edited.differenceTo(four).head.has_value());
+  History titled = four;
+  titled.setTitle("boat", "floats");
+  const HistoryDifference difference = titled.differenceTo(four);
+  EXPECT_TRUE(difference.steps.empty());
+  ASSERT_TRUE(difference.head.has_value());
+  EXPECT_EQ(difference.head->steps.capacity(), 0u) << "no room is kept for steps";
+}
+
+TEST(History, ExchangingADifferenceGoesThereAndBack) {
+  const History one = opened(kThree);
+  History other = one;
+  ASSERT_TRUE(other.edit(1, stepOf("turn")).isOk());
+  other.setTitle("boat", "");
+  other.undo();
+  for (const bool isForgotten : {false, true}) {
+    History history = one;
+    HistoryDifference difference = one.differenceTo(other);
+    if (isForgotten) difference.outcomes.clear();
+    HistoryDifference back = history.exchange(std::move(difference));
+    EXPECT_EQ(history.model(), other.model());
+    EXPECT_EQ(history.count(), 2u);
+    EXPECT_TRUE(isSameState(history.state(), other.state()));
+    history.exchange(std::move(back));
+    EXPECT_EQ(history.model(), one.model());
+    EXPECT_EQ(history.cursor(), 3u);
+    EXPECT_TRUE(isSameState(history.state(), one.state()));
+  }
+}
+
+TEST(History, RefusesTheNameOfAnotherFoldAndNumbersThatNoFileHolds) {
+  History history = opened(kThree);
+  const Status named = history.edit(0, stepOf("fold B valley 30,0 30,100 left"));
+  ASSERT_FALSE(named.isOk());
+  EXPECT_EQ(named.error().code, ErrorCode::BadValue);
+  Step step = history.model().steps[2];
+  std::get<AngleStep>(step.action).angle = std::nan("");
+  EXPECT_EQ(history.edit(2, step).error().code, ErrorCode::BadValue);
 }
 
 TEST(History, KeepsTitlesAndUnknownFields) {

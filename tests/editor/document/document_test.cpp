@@ -206,6 +206,18 @@ TEST(Document, WhatAJournalKeptIsUnsavedAndKeepsUndoneSteps) {
   EXPECT_FALSE(document.isModified());
 }
 
+TEST(Document, AnAddedStepSaysItselfWhatUndoTakesBack) {
+  Document document = opened("square 100");
+  make(document, addStep(stepOf("fold A valley 50,0 50,100 left")), "");
+  EXPECT_EQ(inEnglish(document.undoPhrase()), "A: valley, 180°");
+  document.undo();
+  EXPECT_EQ(inEnglish(document.redoPhrase()), "A: valley, 180°");
+  document.redo();
+  document.jumpTo(0);
+  make(document, addStep(stepOf("rotate 30")), "");
+  EXPECT_EQ(inEnglish(document.undoPhrase()), "rotate by 30°");
+}
+
 TEST(Document, EveryChangeOfWhatIsSeenCountsTheRevisionUp) {
   Document document = opened(kThree);
   std::uint64_t last = document.revision();
