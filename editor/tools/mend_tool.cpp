@@ -80,6 +80,12 @@ Reaction MendTool::key(const KeyEvent& event, const Scope&) {
   return {.isHandled = true, .wantsCommit = true};
 }
 
+Reaction MendTool::wheel(const WheelEvent& event, const Scope&) {
+  if (!event.modifiers.control || event.notches == 0 || !hovered_) return Reaction::ignored();
+  isOneLayer_ = event.notches < 0;
+  return Reaction::handled();
+}
+
 std::optional<Proposal> MendTool::proposal(const Scope& scope) const {
   MendStep mend;
   if (!isAll_) {

@@ -70,7 +70,7 @@ Reaction StraightCutTool::key(const KeyEvent& event, const Scope&) {
 Reaction StraightCutTool::wheel(const WheelEvent& event, const Scope& scope) {
   const auto here = line(scope);
   if (!here) return Reaction::ignored();
-  const Reaction reaction = cut_.wheel(event, scope, *here);
+  Reaction reaction = cut_.wheel(event, scope, *here);
   if (reaction.isHandled) looksAtParts(scope);
   return reaction;
 }

@@ -231,7 +231,7 @@ Reaction TearTool::pointer(const PointerEvent& event, const Scope& scope) {
   return Reaction::handled();
 }
 
-Reaction TearTool::key(const KeyEvent& event, const Scope& scope) {
+Reaction TearTool::key(const KeyEvent& event, const Scope&) {
   if (!event.isPress || !isBusy()) return Reaction::ignored();
   switch (event.key) {
     case Key::Escape:
@@ -243,7 +243,6 @@ Reaction TearTool::key(const KeyEvent& event, const Scope& scope) {
       anchors_.pop_back();
       path_.resize(1);
       besides_.clear();
-      static_cast<void>(scope);
       return Reaction::handled();
     }
     case Key::Enter:
@@ -253,6 +252,13 @@ Reaction TearTool::key(const KeyEvent& event, const Scope& scope) {
     default:
       return Reaction::ignored();
   }
+}
+
+Reaction TearTool::wheel(const WheelEvent& event, const Scope&) {
+  if (!event.modifiers.control || event.notches == 0 || !hasPath()) return Reaction::ignored();
+  isOneLayer_ = event.notches < 0;
+  hasAlt_ = false;
+  return Reaction::handled();
 }
 
 std::optional<Proposal> TearTool::proposal(const Scope&) const {

@@ -14,6 +14,8 @@ class TearTool final : public Tool {
  public:
   Reaction pointer(const PointerEvent& event, const Scope& scope) override;
   Reaction key(const KeyEvent& event, const Scope& scope) override;
+  /// With Ctrl: towards the person only this layer, away all of them.
+  Reaction wheel(const WheelEvent& event, const Scope& scope) override;
   void reset() override { *this = TearTool(); }
   bool isBusy() const override { return phase_ != Phase::Idle; }
 

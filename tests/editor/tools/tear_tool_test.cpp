@@ -136,6 +136,12 @@ TEST(TearTool, AllLayersThatHaveTheEdgeOrOnlyTheOneThatIsSeen) {
     const auto one = hand.result();
     ASSERT_TRUE(one);
     EXPECT_EQ(edgeCount(*one, EdgeKind::Tear), 1U);
+    hand.held.control = true;
+    hand.wheel({80, 50}, 1);
+    EXPECT_EQ(edgeCount(*hand.result(), EdgeKind::Tear), 2U);
+    hand.wheel({80, 50}, -1);
+    EXPECT_EQ(edgeCount(*hand.result(), EdgeKind::Tear), 1U);
+    hand.held.control = false;
     hand.tool().reset();
     hand.held.alt = true;
     hand.drag({100, 50}, {70, 50});
