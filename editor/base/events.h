@@ -35,7 +35,20 @@ struct WheelEvent {
   Modifiers modifiers;
 };
 
-enum class Key { Escape, Enter, Delete, Backspace, Tab, Left, Right, Up, Down, Space, Character };
+enum class Key {
+  Escape,
+  Enter,
+  Delete,
+  Backspace,
+  Insert,
+  Tab,
+  Left,
+  Right,
+  Up,
+  Down,
+  Space,
+  Character,
+};
 
 struct KeyEvent {
   Key key = Key::Character;

@@ -367,9 +367,10 @@ bool CurveHand::key(const KeyEvent& event, const Scope& scope) {
       if (!active_ || isMoving()) return false;
       nudge(event, scope);
       return true;
+    case Key::Insert:
     case Key::Character:
-      return event.character == '+' && phase_ == Phase::Resting && !isMoving() &&
-             insertAt(lastAt_, handleReach(PointerEvent{}), scope);
+      return (event.key == Key::Insert || event.character == '+') && phase_ == Phase::Resting &&
+             !isMoving() && insertAt(lastAt_, handleReach(PointerEvent{}), scope);
     default:
       return false;
   }

@@ -24,7 +24,7 @@ class CurveHand {
   bool press(const PointerEvent& event, const Scope& scope);
   /// The pointer moved, left, was released or clicked twice. True when that concerned the curve.
   bool follow(const PointerEvent& event, const Scope& scope);
-  /// Enter ends drawing; Delete, Backspace, Tab, arrows and "+" work on controls.
+  /// Enter ends drawing; Delete, Backspace, Insert (or "+"), Tab and arrows work on controls.
   bool key(const KeyEvent& event, const Scope& scope);
   void reset() { *this = CurveHand(); }
 

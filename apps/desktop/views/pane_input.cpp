@@ -55,6 +55,9 @@ bool keyOf(const QKeyEvent& event, KeyEvent& out) {
     case Qt::Key_Backspace:
       out.key = Key::Backspace;
       return true;
+    case Qt::Key_Insert:
+      out.key = Key::Insert;
+      return true;
     case Qt::Key_Tab:
       out.key = Key::Tab;
       return true;

@@ -155,6 +155,10 @@ TEST(CurveCutTool, ControlsStayEditableUntilTheCutIsMade) {
   EXPECT_EQ(curveOf(hand.step()).controls.size(), 4U);
   hand.key(Key::Delete);  // four are the fewest
   EXPECT_EQ(curveOf(hand.step()).controls.size(), 4U);
+  hand.hover(pointAt(openSpline(curveOf(hand.step()).controls, SplineEnds::Clamped)[0], 0.4));
+  hand.key(Key::Insert);
+  EXPECT_EQ(curveOf(hand.step()).controls.size(), 5U);
+  hand.key(Key::Right);  // the new one is active
   EXPECT_TRUE(hand.commit());
   EXPECT_FALSE(hand.tool().isBusy());
 }

@@ -120,9 +120,9 @@ class RandomHand {
     if (applied % 16 == 0) EXPECT_TRUE(isSound(*after)) << textOf(hand_.step());
   }
 
-  static constexpr Key keys_[] = {Key::Escape, Key::Enter, Key::Delete,   Key::Backspace,
-                                  Key::Tab,    Key::Left,  Key::Right,    Key::Up,
-                                  Key::Down,   Key::Space, Key::Character};
+  static constexpr Key keys_[] = {Key::Escape, Key::Enter,  Key::Delete, Key::Backspace,
+                                  Key::Tab,    Key::Insert, Key::Left,   Key::Right,
+                                  Key::Up,     Key::Down,   Key::Space,  Key::Character};
   ToolId tool_;
   FoldedState start_;
   ToolDriver hand_;
