@@ -55,8 +55,23 @@ void layOutLines() {
   floats(LineAttribute::OtherNormal, 3, kStride, offsetof(MeshSegment, otherNormal));
   floats(LineAttribute::Along, 1, kStride, offsetof(MeshSegment, along));
   integers(LineAttribute::Form, 4, GL_UNSIGNED_BYTE, kStride, kForm);
+  integers(LineAttribute::IsCovered, 1, GL_UNSIGNED_BYTE, kStride,
+           offsetof(MeshSegment, isCovered));
   for (auto i = static_cast<GLuint>(LineAttribute::From);
-       i <= static_cast<GLuint>(LineAttribute::Form); ++i) {
+       i <= static_cast<GLuint>(LineAttribute::IsCovered); ++i) {
+    glVertexAttribDivisor(i, 1);
+  }
+}
+
+void layOutShades() {
+  constexpr std::size_t kStride = sizeof(MeshShade);
+  static_assert(offsetof(MeshShade, strength) == offsetof(MeshShade, before) + 2 * sizeof(float));
+  floats(ShadeAttribute::From, 3, kStride, offsetof(MeshShade, from));
+  floats(ShadeAttribute::To, 3, kStride, offsetof(MeshShade, to));
+  floats(ShadeAttribute::Normal, 3, kStride, offsetof(MeshShade, normal));
+  floats(ShadeAttribute::Form, 3, kStride, offsetof(MeshShade, before));
+  for (auto i = static_cast<GLuint>(ShadeAttribute::From);
+       i <= static_cast<GLuint>(ShadeAttribute::Form); ++i) {
     glVertexAttribDivisor(i, 1);
   }
 }
@@ -72,14 +87,19 @@ void fill(GLenum target, GLuint buffer, const std::vector<T>& content) {
 
 MeshBuffers::MeshBuffers() {
   glGenVertexArrays(1, &paper_);
+  glGenVertexArrays(1, &shades_);
   glGenVertexArrays(1, &lines_);
   glGenBuffers(1, &vertices_);
   glGenBuffers(1, &triangles_);
+  glGenBuffers(1, &shadePieces_);
   glGenBuffers(1, &segments_);
   glBindVertexArray(paper_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_);
   layOutPaper();
+  glBindVertexArray(shades_);
+  glBindBuffer(GL_ARRAY_BUFFER, shadePieces_);
+  layOutShades();
   glBindVertexArray(lines_);
   glBindBuffer(GL_ARRAY_BUFFER, segments_);
   layOutLines();
@@ -89,9 +109,11 @@ MeshBuffers::MeshBuffers() {
 
 MeshBuffers::~MeshBuffers() {
   glDeleteVertexArrays(1, &paper_);
+  glDeleteVertexArrays(1, &shades_);
   glDeleteVertexArrays(1, &lines_);
   glDeleteBuffers(1, &vertices_);
   glDeleteBuffers(1, &triangles_);
+  glDeleteBuffers(1, &shadePieces_);
   glDeleteBuffers(1, &segments_);
 }
 
@@ -100,9 +122,11 @@ void MeshBuffers::upload(const PaperMesh& mesh) {
   fill(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
   fill(GL_ELEMENT_ARRAY_BUFFER, triangles_, mesh.triangles);
   glBindVertexArray(0);
+  fill(GL_ARRAY_BUFFER, shadePieces_, mesh.shades);
   fill(GL_ARRAY_BUFFER, segments_, mesh.segments);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   indexCount_ = static_cast<GLsizei>(mesh.triangles.size());
+  shadeCount_ = static_cast<GLsizei>(mesh.shades.size());
   segmentCount_ = static_cast<GLsizei>(mesh.segments.size());
 }
 
@@ -110,6 +134,13 @@ void MeshBuffers::drawPaper() const {
   if (indexCount_ == 0) return;
   glBindVertexArray(paper_);
   glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+}
+
+void MeshBuffers::drawShades() const {
+  if (shadeCount_ == 0) return;
+  constexpr GLsizei kCorners = 4;
+  glBindVertexArray(shades_);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, kCorners, shadeCount_);
 }
 
 void MeshBuffers::drawLines() const {

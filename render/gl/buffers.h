@@ -19,15 +19,19 @@ class MeshBuffers {
   /// New storage each time, so that nobody waits for frames that still use the old one.
   void upload(const PaperMesh& mesh);
   void drawPaper() const;
+  void drawShades() const;
   void drawLines() const;
 
  private:
   GLuint paper_ = 0;  ///< vertex arrays
+  GLuint shades_ = 0;
   GLuint lines_ = 0;
   GLuint vertices_ = 0;  ///< buffers
   GLuint triangles_ = 0;
+  GLuint shadePieces_ = 0;
   GLuint segments_ = 0;
   GLsizei indexCount_ = 0;
+  GLsizei shadeCount_ = 0;
   GLsizei segmentCount_ = 0;
 };
 

@@ -14,6 +14,7 @@ layout(location = 2) in vec3 normal;       // of the paper on the left
 layout(location = 3) in vec3 otherNormal;  // of that on the right, or zero
 layout(location = 4) in float along;       // mm
 layout(location = 5) in uvec4 form;        // kind, thin, joined before, joined behind
+layout(location = 6) in uint isCovered;
 uniform mat4 clip;
 uniform vec4 eye;           // place in the mesh, 1; or direction to it, 0
 uniform vec2 halfSize;      // of the picture, pixels
@@ -21,7 +22,9 @@ uniform float pixelsPerMm;
 uniform float bias;         // of depth in clip space
 uniform float flatSlope;    // depth in clip space by pixels of paper turned away by 45 degrees
 uniform float widths[12];   // pixels; 0: not drawn
+uniform float lineScale;
 flat out float halfWidth;
+flat out float strength;
 flat out float segment;     // pixels
 flat out vec2 rounds;       // 1 where the end is round
 flat out uint look;
@@ -48,9 +51,12 @@ void main() {
   look = form.x + 6u * form.y;
   float width = widths[look];
   float left = facing(normal);
-  bool hasOther = dot(otherNormal, otherNormal) > 0.5;
+  bool hasOther = isCovered == 0u && dot(otherNormal, otherNormal) > 0.5;
   float right = hasOther ? facing(otherNormal) : -1.0;
-  if (width <= 0.0 || (left <= 0.0 && right <= 0.0)) {
+  // Paper seen edge-on is a line, too.
+  const float edgeOn = -1e-3;
+  bool isHidden = isCovered == 1u && facing(otherNormal) > edgeOn;
+  if (isHidden || width <= 0.0 || (left <= edgeOn && right <= edgeOn)) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }
@@ -58,10 +64,14 @@ void main() {
   vec3 b = seen(to);
   segment = distance(a.xy, b.xy);
   vec2 ahead = segment > 1e-4 ? (b.xy - a.xy) / segment : vec2(1.0, 0.0);
-  float most = 12.0 * flatSlope;
+  float most = 400.0 * flatSlope;
   float rise = segment > 1e-4 ? clamp((b.z - a.z) / segment, -most, most) : 0.0;
 
   halfWidth = 0.5 * width;
+  // Many small facets would drown in their folds.
+  bool isFold = form.x == 1u || form.x == 2u;
+  bool isShort = isFold && form.z == 0u && form.w == 0u;
+  strength = isShort ? mix(0.45, 1.0, smoothstep(5.0, 26.0, segment / lineScale)) : 1.0;
   float reach = halfWidth + 1.0;
   float slope = 0.0;
   float wing = float(gl_VertexID / 2) - 1.0;  // -1, 0, 1
@@ -83,6 +93,7 @@ void main() {
 
 const char* const kLineFragmentShader = R"(
 flat in float halfWidth;
+flat in float strength;
 flat in float segment;
 flat in vec2 rounds;
 flat in uint look;
@@ -116,7 +127,7 @@ float dashCover() {
 
 void main() {
   float beyond = max(max(-place.x * rounds.x, (place.x - segment) * rounds.y), 0.0);
-  float alpha = coverOf(length(vec2(beyond, place.y)), halfWidth) * dashCover();
+  float alpha = coverOf(length(vec2(beyond, place.y)), halfWidth) * dashCover() * strength;
   color = vec4(colors[look] * alpha, alpha);
 }
 )";

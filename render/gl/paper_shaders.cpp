@@ -29,9 +29,7 @@ float brightnessOf(vec3 n) {
   const vec3 lamp = vec3(-0.42, 0.5, 0.757);
   float light = 0.5 + 0.5 * dot(n, lamp);
   float most = 0.5 + 0.5 * lamp.z;
-  float sky = 0.5 + 0.5 * n.y;
-  float value = 1.0 + 0.95 * (light - most) + 0.1 * (sky - 0.5);
-  return max(value, 0.45);
+  return max(1.0 + 1.05 * (light - most) + 0.06 * n.y, 0.42);
 }
 
 void main() {
@@ -95,7 +93,10 @@ void main() {
     vec4 tint = texelFetch(tints, ivec2(int(facetNumber % 1024u), int(facetNumber / 1024u)), 0);
     c = mix(c, tint.rgb, tint.a);
   }
-  c = brightness <= 1.0 ? c * brightness : mix(c, vec3(1.0), brightness - 1.0);
+  // Shade is a little cool; what is lit is brighter, and hardly paler.
+  float dark = 1.0 - brightness;
+  c *= brightness + max(dark, 0.0) * vec3(-0.05, 0.0, 0.07);
+  c = mix(c, vec3(1.0), 0.25 * max(-dark, 0.0));
   color = vec4(c, 1.0);
 }
 )";

@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -22,6 +23,9 @@ namespace {
 constexpr std::size_t kLooks = 2 * kMeshLines;
 constexpr std::size_t kDashes = 6;
 constexpr double kPixelsPerPaperMm = 96 / 25.4;
+/// How much nearer lines are than their paper, in clip space: a sixteen-thousandth of the depth of
+/// the picture or so. Far above what rounding may do, far below what one sees of it.
+constexpr float kLift = 1.0F / 16384;
 
 /// Uniforms of the programs, in the order of their names below.
 enum PaperUniform : std::size_t {
@@ -42,6 +46,7 @@ enum PaperUniform : std::size_t {
   kGridSpacing,
   kPaperLineScale,
 };
+enum ShadeUniform : std::size_t { kShadeClip, kShadeEye, kReach, kShadeBias };
 enum LineUniform : std::size_t {
   kLineClip,
   kEye,
@@ -53,6 +58,7 @@ enum LineUniform : std::size_t {
   kColors,
   kDashPattern,
   kDashLengths,
+  kLineScale,
 };
 
 /// How lines look, for a pixel of the window.
@@ -92,7 +98,8 @@ LineLooks lineLooksOf(const Appearance& appearance) {
     const auto line = static_cast<MeshLine>(i % kMeshLines);
     const double width = widthOf(line, i >= kMeshLines, appearance);
     const Stroke stroke = strokeFor(lineKindOf(line), appearance, width);
-    out.widths[i] = static_cast<float>(stroke.width * kPixelsPerPaperMm);
+    // Fainter than a pixel is hard to see on a screen.
+    out.widths[i] = static_cast<float>(std::max(stroke.width * kPixelsPerPaperMm, 1.0));
     const std::array<std::uint8_t, 3> rgb{stroke.color.red, stroke.color.green, stroke.color.blue};
     for (std::size_t c = 0; c < 3; ++c) out.colors[3 * i + c] = static_cast<float>(rgb[c]) / 255;
     for (std::size_t d = 0; d < stroke.dashes.size() && d < kDashes; ++d) {
@@ -148,14 +155,17 @@ struct GlRenderer::Gpu {
               {"clip", "toView", "eye", "shading", "textureLow", "textureSize", "frontColor",
                "backColor", "hasFrontTexture", "hasBackTexture", "hasTints", "frontTexture",
                "backTexture", "tints", "gridSpacing", "lineScale"}),
+        shades(header, kShadeVertexShader, kShadeFragmentShader, {"clip", "eye", "reach", "bias"}),
         lines(header, kLineVertexShader, kLineFragmentShader,
               {"clip", "eye", "halfSize", "pixelsPerMm", "bias", "flatSlope", "widths", "colors",
-               "dashes", "dashLengths"}) {}
+               "dashes", "dashLengths", "lineScale"}) {}
 
   void drawPaper(const GlView& view) const;
+  void drawShades(const GlView& view) const;
   void drawLines(const GlView& view) const;
 
   Program paper;
+  Program shades;
   Program lines;
   MeshBuffers buffers;
   SideTexture front;
@@ -194,6 +204,16 @@ void GlRenderer::Gpu::drawPaper(const GlView& view) const {
   buffers.drawPaper();
 }
 
+void GlRenderer::Gpu::drawShades(const GlView& view) const {
+  constexpr double kReachPixels = 9;
+  shades.use();
+  glUniformMatrix4fv(shades[kShadeClip], 1, GL_FALSE, clipMatrix(view, origin).data());
+  glUniform4fv(shades[kShadeEye], 1, eyeOf(view.frame, origin).data());
+  glUniform1f(shades[kReach], static_cast<float>(kReachPixels * view.lineScale / view.pixelsPerMm));
+  glUniform1f(shades[kShadeBias], kLift / 2);
+  buffers.drawShades();
+}
+
 void GlRenderer::Gpu::drawLines(const GlView& view) const {
   lines.use();
   const auto scale = static_cast<float>(view.lineScale);
@@ -204,9 +224,6 @@ void GlRenderer::Gpu::drawLines(const GlView& view) const {
     shown.dashLengths[i] *= scale;
   }
   for (float& dash : shown.dashes) dash *= scale;
-  // A sixteen-thousandth of the depth of the picture: far above what rounding may do, far below
-  // what one sees of it.
-  constexpr float kLift = 1.0F / 16384;
   const std::array<float, 4> eye = eyeOf(view.frame, origin);
   glUniformMatrix4fv(lines[kLineClip], 1, GL_FALSE, clipMatrix(view, origin).data());
   glUniform4fv(lines[kEye], 1, eye.data());
@@ -219,6 +236,7 @@ void GlRenderer::Gpu::drawLines(const GlView& view) const {
   glUniform3fv(lines[kColors], kLooks, shown.colors.data());
   glUniform1fv(lines[kDashPattern], kLooks * kDashes, shown.dashes.data());
   glUniform1fv(lines[kDashLengths], kLooks, shown.dashLengths.data());
+  glUniform1f(lines[kLineScale], scale);
   buffers.drawLines();
 }
 
@@ -278,6 +296,7 @@ void GlRenderer::draw(const GlView& view) {
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (view.isShaded) gpu_->drawShades(view);
   gpu_->drawLines(view);
 
   glDisable(GL_BLEND);

@@ -6,11 +6,14 @@ namespace kiri {
 
 /// Places of the attributes of vertices and instances.
 enum class PaperAttribute : unsigned { Position, Plane, Paper, Facet, IsFront };
-enum class LineAttribute : unsigned { From, To, Normal, OtherNormal, Along, Form };
+enum class LineAttribute : unsigned { From, To, Normal, OtherNormal, Along, Form, IsCovered };
+enum class ShadeAttribute : unsigned { From, To, Normal, Form };
 
 /// GLSL without the line that names the version.
 extern const char* const kPaperVertexShader;
 extern const char* const kPaperFragmentShader;
+extern const char* const kShadeVertexShader;
+extern const char* const kShadeFragmentShader;
 extern const char* const kLineVertexShader;
 extern const char* const kLineFragmentShader;
 

@@ -34,6 +34,10 @@ int windingOf(const Points& loop, Vec2 p) {
   return winding;
 }
 
+Vec3 asVec(const std::array<float, 3>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
 Loop asLoop(const Points& points) {
   Loop loop;
   loop.reserve(points.size());
@@ -143,6 +147,33 @@ void MeshBuilder::addConvex(const MeshSide& side, const Points& points) {
     chains.emplace_back(from, middle);
     chains.emplace_back(middle, to);
   }
+}
+
+void MeshBuilder::addShades(const MeshSide& side, const Points& points) {
+  constexpr float kBesideALayer = 0.6F;
+  double behind = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) behind += distance(points[i], points[i + 1]);
+  double before = 0;
+  std::array<float, 3> from = placeOf(side, points[0]);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double own = distance(points[i], points[i + 1]);
+    behind -= own;
+    const std::array<float, 3> to = placeOf(side, points[i + 1]);
+    mesh_.shades.push_back({from, to, floats(side.frame.toEye), static_cast<float>(before),
+                            static_cast<float>(behind), kBesideALayer});
+    from = to;
+    before += own;
+  }
+}
+
+void MeshBuilder::addValley(const MeshSegment& hinge) {
+  const Vec3 run = asVec(hinge.to) - asVec(hinge.from);
+  const Vec3 left = asVec(hinge.normal);
+  const Vec3 right = asVec(hinge.otherNormal);
+  if (dot(cross(right, -run), left) <= 0) return;  // a mountain
+  const auto strength = static_cast<float>((1 - dot(left, right)) / 2);
+  mesh_.shades.push_back({hinge.from, hinge.to, hinge.normal, 0, 0, strength});
+  mesh_.shades.push_back({hinge.to, hinge.from, hinge.otherNormal, 0, 0, strength});
 }
 
 std::size_t MeshBuilder::addLine(const MeshSide& side, const Points& points, MeshSegment first,

@@ -35,6 +35,11 @@ class MeshBuilder {
   std::size_t addLine(const MeshSide& side, const Points& points, MeshSegment first,
                       std::vector<MeshSegment>& out) const;
 
+  /// Less light along the chain, on the paper to its left.
+  void addShades(const MeshSide& side, const Points& points);
+  /// Less light on the paper on both sides of a hinge that is complete, if it is a valley.
+  void addValley(const MeshSegment& hinge);
+
  private:
   /// Points of two planes that are the same but for rounding become the same floats.
   std::array<float, 3> rounded(Vec3 place) const;

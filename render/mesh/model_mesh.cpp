@@ -9,9 +9,11 @@
 
 #include "render/mesh/flattened.h"
 #include "render/mesh/hinge_breaks.h"
+#include "render/mesh/hinge_lines.h"
 #include "render/mesh/mesh_builder.h"
 #include "render/mesh/paper_mesh.h"
 #include "render/visibility/plane_regions.h"
+#include "render/visibility/slits.h"
 
 namespace kiri {
 namespace {
@@ -36,9 +38,9 @@ class ModelMesh {
   ModelMesh(const FoldedState& state, const std::vector<PlaneRegions>& planes)
       : state_(state),
         breaks_(state, planes),
+        hinges_(state, breaks_),
         builder_(mesh_, state.tolerance()),
-        chordError_(meshChordError(state.tolerance())),
-        lineAt_(2 * breaks_.intervals(), kNoLine) {
+        chordError_(meshChordError(state.tolerance())) {
     mesh_.origin = middleOf(state);
     mesh_.facetCount = static_cast<std::uint32_t>(state.pattern.facets.size());
   }
@@ -49,13 +51,13 @@ class ModelMesh {
   }
 
   PaperMesh finished() {
+    hinges_.settle(edges_);
     mesh_.segments = std::move(creases_);
     mesh_.segments.insert(mesh_.segments.end(), edges_.begin(), edges_.end());
     return std::move(mesh_);
   }
 
  private:
-  static constexpr std::size_t kNoLine = std::numeric_limits<std::size_t>::max();
   using Ends = std::array<double, 4>;
 
   static Ends endsOf(Vec2 a, Vec2 b) { return {a.x, a.y, b.x, b.y}; }
@@ -75,6 +77,7 @@ class ModelMesh {
         }
       }
       builder_.addPaper(side, loops);
+      addSlits(side, part);
     }
   }
 
@@ -116,6 +119,9 @@ class ModelMesh {
 
   /// A seam between two parts is drawn once. So is a hinge of which both facets are seen.
   void addLine(const MeshSide& side, const BoundaryPiece& piece, const Points& points) {
+    if (liesUnder(side.facet, piece)) builder_.addShades(side, points);
+    const bool isHinge = hinges_.isOwn(side.facet, piece);
+    if (isHinge && !piece.isSilhouette()) hinges_.notePaper(side, piece);
     if (!piece.isSilhouette() && piece.beyond < side.facet) return;
     MeshSegment segment;
     segment.normal = floats(side.frame.toEye);
@@ -123,43 +129,32 @@ class ModelMesh {
     segment.kind = kindOf(side.facet, piece);
     if (!piece.isSilhouette()) segment.otherNormal = segment.normal;
     const bool isCrease = segment.kind == MeshLine::Crease;
-    if (piece.isSilhouette() && isOwnHinge(side.facet, piece)) {
-      addHinge(side, piece, points, segment);
+    if (piece.isSilhouette() && isHinge) {
+      hinges_.add(side, piece, points, segment, builder_, edges_);
     } else {
       builder_.addLine(side, points, segment, isCrease ? creases_ : edges_);
     }
   }
 
-  bool isOwnHinge(FacetId facet, const BoundaryPiece& piece) const {
-    if (!piece.edge.isValid()) return false;
-    const Edge& edge = state_.pattern[piece.edge];
-    return isFoldedHinge(edge) && (edge.left == facet || edge.right == facet);
+  void addSlits(const MeshSide& side, const VisibleFacet& part) {
+    for (const SlitPiece& piece : visibleSlits(state_, part, side.frame)) {
+      MeshSegment segment;
+      segment.normal = segment.otherNormal = floats(side.frame.toEye);
+      segment.facet = side.facet.index;
+      segment.kind = MeshLine::Border;
+      builder_.addLine(side, flattened(piece.arc, {}, chordError_), segment, edges_);
+    }
   }
 
-  /// What two planes both show of a hinge becomes one line with paper on both of its sides.
-  void addHinge(const MeshSide& side, const BoundaryPiece& piece, const Points& points,
-                const MeshSegment& segment) {
-    const std::vector<double> breaks = ownBreaks(piece);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const double t0 = i == 0 ? 0 : breaks[i - 1];
-      const double t1 = i < breaks.size() ? breaks[i] : 1;
-      const double middle = piece.from + (piece.to - piece.from) * (t0 + t1) / 2;
-      std::size_t& line =
-          lineAt_[2 * breaks_.intervalAt(piece.edge, middle) + (side.showsFront ? 1 : 0)];
-      if (line != kNoLine) {
-        edges_[line].otherNormal = segment.normal;
-        continue;
-      }
-      line = builder_.addLine(side, {points[i], points[i + 1]}, segment, edges_);
-      edges_[line].isFromJoined = i > 0;
-      edges_[line].isToJoined = i + 2 < points.size();
-    }
+  /// The paper goes on under the facet whose border this is.
+  static bool liesUnder(FacetId facet, const BoundaryPiece& piece) {
+    return !piece.isSilhouette() && piece.edge.isValid() && piece.facet == piece.beyond &&
+           piece.facet != facet;
   }
 
   MeshLine kindOf(FacetId facet, const BoundaryPiece& piece) const {
     if (!piece.edge.isValid()) return MeshLine::Edge;
     const Edge& edge = state_.pattern[piece.edge];
-    if (edge.kind == EdgeKind::Tear) return MeshLine::Tear;
     if (edge.kind != EdgeKind::Hinge) return MeshLine::Border;
     const bool joins = !piece.isSilhouette() && across(edge, facet) == piece.beyond;
     return joins && !isFoldedHinge(edge) ? MeshLine::Crease : MeshLine::Edge;
@@ -167,10 +162,10 @@ class ModelMesh {
 
   const FoldedState& state_;
   HingeBreaks breaks_;
+  HingeLines hinges_;
   PaperMesh mesh_;
   MeshBuilder builder_;
   double chordError_;
-  std::vector<std::size_t> lineAt_;  ///< for each interval of a hinge and side of the paper
   std::multimap<Ends, std::vector<double>> seams_;
   std::vector<MeshSegment> creases_;
   std::vector<MeshSegment> edges_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,12 +23,13 @@ struct MeshVertex {
   std::uint32_t isFront = 1;  ///< the front of the paper is seen
 };
 
-/// What a line of the mesh is. Border: rim of the sheet and cuts. Edge: a folded hinge, and where
+/// What a line of the mesh is. Border: rim of the sheet, cuts, and tears of the model (those of the
+/// sheet are Tear). Edge: a folded hinge, and where
 /// layers end over others for any other reason. Crease: a hinge that lies flat. Mountain, Valley:
 /// hinges on the sheet, as the side that is seen shows them; of a hinge that lies flat now, what
 /// its fold line makes of it.
 enum class MeshLine : std::uint8_t { Border, Edge, Crease, Mountain, Valley, Tear };
-inline constexpr std::uint32_t kMeshLines = 6;
+inline constexpr std::size_t kMeshLines = 6;
 
 /// A straight piece of a line. It runs with the paper that it bounds on its left, as seen from the
 /// side that `normal` points to; the paper on its right is that of `otherNormal`.
@@ -42,6 +44,20 @@ struct MeshSegment {
   bool isThin = false;        ///< on the sheet: a hinge that lies flat now
   bool isFromJoined = false;  ///< the line goes on before `from`, almost straight
   bool isToJoined = false;    ///< and behind `to`
+  /// The paper of `otherNormal` is covered by layers of its plane, and the line with it: it is
+  /// there only for who sees that plane from behind.
+  bool isCovered = false;
+};
+
+/// Paper that gets less light along a straight piece of a line: at the bottom of a valley, and
+/// beside a layer that lies on it. The paper is on the left, as seen from the side of `normal`.
+struct MeshShade {
+  std::array<float, 3> from;
+  std::array<float, 3> to;
+  std::array<float, 3> normal;
+  float before = 0;    ///< mm of the same line before `from`
+  float behind = 0;    ///< and behind `to`
+  float strength = 1;  ///< 1: the most
 };
 
 /// Visible parts of each plane from both sides (planeRegions): the triangles of a side wind
@@ -55,6 +71,7 @@ struct PaperMesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> triangles;  ///< three indices each
   std::vector<MeshSegment> segments;     ///< in the order in which they are drawn: creases first
+  std::vector<MeshShade> shades;
   std::uint32_t facetCount = 0;
 };
 

@@ -12,7 +12,7 @@
 #include "render/scene/seen_texture.h"
 #include "render/scene/silhouette.h"
 #include "render/visibility/grid.h"
-#include "render/visibility/projection.h"
+#include "render/visibility/slits.h"
 
 namespace kiri {
 namespace {
@@ -142,47 +142,15 @@ class PaperItems {
     return loops;
   }
 
-  /// Tears and cuts that end inside a facet take nothing away from what is seen of it; what is seen
-  /// of them is drawn all the same.
+  /// Tears and cuts that end inside a facet.
   std::vector<std::vector<Arc>> slits() const {
     std::vector<std::vector<Arc>> chains;
     for (const VisibleFacet& facet : regions_.facets) {
-      for (const EdgeUse use : state_.pattern[facet.facet].border) {
-        const Edge& edge = state_.pattern[use.edge];
-        if (use.isReversed || edge.left != edge.right || edge.kind == EdgeKind::Hinge) continue;
-        std::vector<SeenArc> seen;
-        appendSeen(arcOf(state_.pattern, use), state_.poseOf(facet.facet), view_,
-                   state_.tolerance().match(), seen);
-        for (const SeenArc& piece : seen) {
-          for (const Arc& part : partsInside(facet, piece.arc)) chains.push_back({inScene(part)});
-        }
+      for (const SlitPiece& piece : visibleSlits(state_, facet, view_)) {
+        chains.push_back({inScene(piece.arc)});
       }
     }
     return chains;
-  }
-
-  /// The parts of an arc that lie inside what is seen of a facet.
-  std::vector<Arc> partsInside(const VisibleFacet& facet, const Arc& arc) const {
-    const Tolerance& tolerance = state_.tolerance();
-    Region region;
-    std::vector<double> breaks{0, 1};
-    for (const auto& loop : facet.loops) {
-      Loop& arcs = region.loops.emplace_back();
-      for (const BoundaryPiece& piece : loop) {
-        arcs.push_back(piece.arc);
-        for (const Meeting& meeting : meetings(arc, piece.arc, tolerance))
-          breaks.push_back(meeting.t);
-      }
-    }
-    std::sort(breaks.begin(), breaks.end());
-    std::vector<Arc> inside;
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      if (breaks[i + 1] - breaks[i] <= kParallel) continue;
-      const Vec2 middle = pointAt(arc, (breaks[i] + breaks[i + 1]) / 2);
-      if (locate(region, middle, tolerance.length()) != Where::Inside) continue;
-      inside.push_back(part(arc, breaks[i], breaks[i + 1]));
-    }
-    return inside;
   }
 
   /// How much lighter or darker than its own colour a facet looks: 1 where it is turned straight to

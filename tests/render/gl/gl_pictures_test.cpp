@@ -1,23 +1,14 @@
 // What OpenGL draws equals the exact pictures of the CPU, from any side.
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "render/canvas/rasterise.h"
-#include "render/gl/renderer.h"
 #include "render/mesh/paper_mesh.h"
 #include "render/scene/model_scene.h"
-#include "render/scene/spread.h"
-#include "render/scene/view_spec.h"
-#include "tests/render/gl/headless_gl.h"
+#include "tests/render/gl/gl_fixture.h"
 #include "tests/render/gl/states.h"
 #include "tests/support/model_text.h"
-#include "tests/support/random_steps.h"
 
 namespace kiri::test {
 namespace {
@@ -36,9 +27,7 @@ Image byCpu(const FoldedState& state, const ViewFrame& view, const Box& box) {
   ModelSceneOptions options;
   options.margin = 0;
   options.box = box;
-  Appearance plain;
-  plain.showEdges = plain.showCreases = false;
-  Scene scene = modelScene(state, plain, view, options);
+  Scene scene = modelScene(state, {}, view, options);
   std::vector<Group> paper;
   for (Group& group : scene.groups) {
     if (group.id != "paper") continue;
@@ -52,31 +41,8 @@ Image byCpu(const FoldedState& state, const ViewFrame& view, const Box& box) {
   return *rasterise(scene, kPixels, kPixels);
 }
 
-/// The depths of all corners, with a little room.
-void fitDepth(const PaperMesh& mesh, GlView& view) {
-  double low = 1e30;
-  double high = -1e30;
-  for (const MeshVertex& v : mesh.vertices) {
-    const Vec3 p = mesh.origin + Vec3{v.position[0], v.position[1], v.position[2]};
-    low = std::min(low, view.frame.depth(p));
-    high = std::max(high, view.frame.depth(p));
-  }
-  const double room = 1 + 0.05 * (high - low);
-  view.nearDepth = high + room;
-  view.farDepth = low - room;
-}
-
-class GlPictures : public ::testing::TestWithParam<GlKind> {
+class GlPictures : public GlTest {
  protected:
-  void SetUp() override {
-    std::string why;
-    gl_ = HeadlessGl::create(GetParam(), why);
-    if (!gl_) GTEST_SKIP() << "not tested: " << why;
-    renderer_ = *GlRenderer::create();
-    gl_->begin(kPixels, kPixels);
-  }
-  void TearDown() override { renderer_.reset(); }
-
   Image byGl(const FoldedState& state, const ViewFrame& frame, const Box& box) {
     const PaperMesh mesh = meshOf(state);
     std::vector<TintColor> tints;
@@ -86,17 +52,7 @@ class GlPictures : public ::testing::TestWithParam<GlKind> {
     }
     renderer_->setMesh(mesh);
     renderer_->setTints(tints);
-    GlView view;
-    view.frame = frame;
-    view.centre = (box.low + box.high) / 2;
-    view.width = view.height = kPixels;
-    view.pixelsPerMm = kPixels / (box.high.x - box.low.x);
-    view.background = {255, 255, 255};
-    view.showsEdges = view.showsCreases = view.showsBorders = view.isShaded = false;
-    fitDepth(mesh, view);
-    renderer_->draw(view);
-    EXPECT_EQ(gl_->error(), 0U);
-    return gl_->finish();
+    return drawn(plainView(frame, box, kPixels, mesh));
   }
 
   /// Every pixel whose neighbours all show the same facet shows that facet.
@@ -119,43 +75,16 @@ class GlPictures : public ::testing::TestWithParam<GlKind> {
     }
     EXPECT_EQ(wrong, 0) << "view " << spec.azimuth << " " << spec.elevation << " "
                         << spec.fieldOfView << ", first at pixel " << first;
-    if (wrong > 0) keep(cpu, gpu);
+    if (wrong > 0) {
+      keepPicture(cpu, "cpu");
+      keepPicture(gpu, "gpu");
+    }
     ++pictures_;
   }
 
-  static const std::uint8_t* at(const Image& image, int x, int y) {
-    return &image.rgba[static_cast<std::size_t>(y * image.width + x) * 4];
-  }
-  static bool isCalm(const Image& image, int x, int y) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        if (!std::equal(at(image, x, y), at(image, x, y) + 3, at(image, x + dx, y + dy)))
-          return false;
-      }
-    }
-    return true;
-  }
-  static int differenceAt(const Image& a, const Image& b, int x, int y) {
-    int most = 0;
-    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(at(a, x, y)[c] - at(b, x, y)[c]));
-    return most;
-  }
-  static void keep(const Image& cpu, const Image& gpu) {
-    keepPicture(cpu, "cpu");
-    keepPicture(gpu, "gpu");
-  }
-
-  std::unique_ptr<HeadlessGl> gl_;
-  std::unique_ptr<GlRenderer> renderer_;
   long compared_ = 0;
   int pictures_ = 0;
 };
-
-ViewSpec randomView(Random& random) {
-  ViewSpec spec{random.between(-180, 180), random.between(-90, 90)};
-  if (random.chance(0.5)) spec.fieldOfView = random.between(5, 110);
-  return spec;
-}
 
 TEST_P(GlPictures, OfRandomStatesEqualTheExactOnes) {
   int inSpace = 0;
@@ -188,6 +117,12 @@ TEST_P(GlPictures, OfAllExamplesEqualTheExactOnes) {
   EXPECT_GT(pictures_, 40);
 }
 
+TEST_P(GlPictures, OfAThousandFacetsInAsManyPlanesEqualTheExactOnes) {
+  const FoldedState state = miura(32);
+  expectSame(state, {25, 40, 0});
+  expectSame(state, {-70, -35, 40});
+}
+
 TEST_P(GlPictures, ShowTheLayersOfOnePlaneInOrderFromBothSides) {
   const FoldedState state =
       run("square 100; fold a valley 180 0,50 100,50 right; fold b mountain 180 @model 50,0 50,100 "
@@ -195,10 +130,6 @@ TEST_P(GlPictures, ShowTheLayersOfOnePlaneInOrderFromBothSides) {
   ASSERT_GT(state.pattern.facets.size(), 6U);
   for (const double elevation : {90.0, -90.0, 60.0, -35.0}) expectSame(state, {20, elevation, 0});
   for (const double elevation : {90.0, -90.0, 60.0, -35.0}) expectSame(state, {20, elevation, 70});
-}
-
-std::string nameOf(const ::testing::TestParamInfo<GlKind>& parameter) {
-  return parameter.param == GlKind::Desktop33 ? "OpenGl33" : "OpenGlEs30";
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, GlPictures, ::testing::Values(GlKind::Desktop33, GlKind::Es30),

@@ -137,4 +137,27 @@ Image HeadlessGl::finish() {
 
 unsigned HeadlessGl::error() const { return glGetError(); }
 
+std::string HeadlessGl::changedState() const {
+  std::string out;
+  const auto expect = [&](GLenum what, GLint expected, const char* name) {
+    GLint found = 0;
+    glGetIntegerv(what, &found);
+    if (found != expected) out += std::string(name) + " ";
+  };
+  expect(GL_DEPTH_TEST, 0, "depth test");
+  expect(GL_CULL_FACE, 0, "culling");
+  expect(GL_BLEND, 0, "blending");
+  expect(GL_SCISSOR_TEST, 0, "scissor test");
+  expect(GL_DEPTH_WRITEMASK, 1, "depth mask");
+  expect(GL_DEPTH_FUNC, GL_LESS, "depth function");
+  expect(GL_BLEND_SRC_RGB, GL_ONE, "blend source");
+  expect(GL_BLEND_DST_RGB, GL_ZERO, "blend destination");
+  expect(GL_CURRENT_PROGRAM, 0, "program");
+  expect(GL_VERTEX_ARRAY_BINDING, 0, "vertex array");
+  expect(GL_ARRAY_BUFFER_BINDING, 0, "buffer");
+  expect(GL_ACTIVE_TEXTURE, GL_TEXTURE0, "texture unit");
+  expect(GL_TEXTURE_BINDING_2D, 0, "texture");
+  return out;
+}
+
 }  // namespace kiri::test

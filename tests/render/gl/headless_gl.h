@@ -25,6 +25,8 @@ class HeadlessGl {
   Image finish();
   /// The first error that OpenGL has kept, as a number; 0: none.
   unsigned error() const;
+  /// The names of what is not as it is in a new context, of what drawing changes.
+  std::string changedState() const;
 
  private:
   struct Handles;

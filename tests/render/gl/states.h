@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct Example {
   std::vector<FoldedState> states;  ///< folded halfway through the steps, and at the end
 };
 std::vector<Example> allExamples();
+
+/// A sheet with the folds of Miura in it, halfway open: n x n facets that hold together, each in a
+/// plane of its own.
+FoldedState miura(std::size_t n);
 
 /// Writes a PNG into the folder that KIRI_FAILED_PICTURES names; nothing when it is not set.
 void keepPicture(const Image& image, const std::string& name);
