@@ -1,0 +1,97 @@
+// The examples that come with the program, and small pictures of model files.
+// SPDX-License-Identifier: MIT
+#include "apps/desktop/services/gallery.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QPainter>
+#include <algorithm>
+#include <iterator>
+
+#include "apps/desktop/look/scene_painter.h"
+#include "apps/desktop/services/textures.h"
+#include "core/model/replay.h"
+#include "io/file.h"
+#include "io/kiri_reader.h"
+#include "render/scene/model_scene.h"
+
+namespace kiri::desktop {
+
+namespace {
+
+/// What a beginner should see first.
+constexpr const char* kFirst[] = {"leaf_three_lobes",   "leaf_palmate",  "ship",
+                                  "kirigami_snowflake", "kirigami_star", "kirigami_flower"};
+
+int rankOf(const QString& path) {
+  const QString name = QFileInfo(path).completeBaseName();
+  const auto found = std::find(std::begin(kFirst), std::end(kFirst), name);
+  return static_cast<int>(found - std::begin(kFirst));
+}
+
+QString titleFrom(const QString& path) {
+  QString title = QFileInfo(path).completeBaseName().replace('_', ' ');
+  if (!title.isEmpty()) title[0] = title[0].toUpper();
+  return title;
+}
+
+QImage drawn(const Scene& scene, int pixels) {
+  QImage picture(pixels, pixels, QImage::Format_ARGB32_Premultiplied);
+  picture.fill(Qt::transparent);
+  const double scale = pixels / std::max(scene.width, scene.height);
+  QPainter painter(&picture);
+  painter.translate((pixels - scene.width * scale) / 2, (pixels - scene.height * scale) / 2);
+  painter.scale(scale, scale);
+  paintScene(painter, scene, 2 / scale);
+  return picture;
+}
+
+}  // namespace
+
+QString examplesFolder() {
+  const QString program = QCoreApplication::applicationDirPath();
+  const QString places[] = {qEnvironmentVariable("KIRI_EXAMPLES"),
+#ifdef KIRI_EXAMPLES_DIR
+                            QStringLiteral(KIRI_EXAMPLES_DIR),
+#endif
+                            program + "/examples", program + "/../share/kirisim/examples"};
+  for (const QString& place : places) {
+    if (!place.isEmpty() && QFileInfo(place).isDir()) return QDir(place).absolutePath();
+  }
+  return {};
+}
+
+QStringList modelsIn(const QString& folder) {
+  if (folder.isEmpty()) return {};
+  QStringList paths;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({"*.kiri"}, QDir::Files, QDir::Name))
+    paths.append(file.absoluteFilePath());
+  std::stable_sort(paths.begin(), paths.end(),
+                   [](const QString& a, const QString& b) { return rankOf(a) < rankOf(b); });
+  return paths;
+}
+
+ModelCard cardOf(const QString& path, int pixels, const Progress& progress) {
+  ModelCard card;
+  card.title = titleFrom(path);
+  const Result<std::string> text = readFile(path.toStdString());
+  if (!text.isOk()) return card;
+  const Result<LoadedModel> loaded = readKiri(*text, path.toStdString());
+  if (!loaded.isOk()) return card;
+  const Model& model = loaded->model;
+  if (!model.title.empty()) card.title = QString::fromStdString(model.title);
+  card.steps = static_cast<int>(model.steps.size());
+  const Result<Replay> done = replay(model, progress);
+  if (!done.isOk()) return card;
+  std::shared_ptr<const FoldedState> last = done->start;
+  for (const StepOutcome& outcome : done->outcomes) {
+    if (outcome.state) last = outcome.state;
+  }
+  const Appearance looks = appearanceWithTextures(model, path);
+  const Result<Scene> scene = modelScene(*last, looks, frontSpec(), {2, 1, "", {}, {}, progress});
+  if (scene.isOk() && scene->width > 0 && scene->height > 0) card.picture = drawn(*scene, pixels);
+  return card;
+}
+
+}  // namespace kiri::desktop
