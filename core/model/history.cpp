@@ -15,9 +15,14 @@ using StatePtr = std::shared_ptr<const FoldedState>;
 
 std::ptrdiff_t offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
 
-Status noSuchStep(std::size_t index, const char* what) {
-  return Error{
-      ErrorCode::NotFound, "there is no step " + std::to_string(index + 1) + " to " + what, {}};
+/// Why step `index` cannot be changed: `what` says how it was to be.
+Error noSuchStep(std::size_t index, std::size_t steps, const char* what) {
+  const std::string number = std::to_string(index + 1);
+  if (index >= steps)
+    return {ErrorCode::NotFound, "there is no step " + number + " to " + what, {}};
+  return {ErrorCode::NotFound,
+          "step " + number + " was undone; redo it before you " + what + " it",
+          {}};
 }
 
 /// The name of the fold line that a step makes; none when it makes none.
@@ -136,7 +141,7 @@ Status History::replayFrom(std::size_t from, const Progress& progress) {
 }
 
 Status History::edit(std::size_t index, Step step, const Progress& progress) {
-  if (index >= count_) return noSuchStep(index, "edit");
+  if (index >= count_) return noSuchStep(index, model_.steps.size(), "edit");
   if (const Status checked = checkNumbers(step); !checked) return checked.error();
   History next = *this;
   next.dropUndone();
@@ -159,7 +164,7 @@ Status History::edit(std::size_t index, Step step, const Progress& progress) {
 }
 
 Status History::remove(std::size_t index, const Progress& progress) {
-  if (index >= count_) return noSuchStep(index, "remove");
+  if (index >= count_) return noSuchStep(index, model_.steps.size(), "remove");
   History next = *this;
   next.dropUndone();
   std::vector<Step>& steps = next.model_.steps;

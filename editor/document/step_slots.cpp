@@ -75,12 +75,7 @@ class Collecting {
     addAngle({"angle", {KIRI_TEXT("editor/document", "Angle"), {}}}, 0,
              [](Step& step) -> double& { return as<FoldStep>(step).angle; });
     addLine([](Step& step) -> DrawnLine& { return as<FoldStep>(step).line; });
-    if (std::holds_alternative<Hand>(fold.moving)) {
-      addChoice({"moving", {KIRI_TEXT("editor/document", "Moving side"), {}}},
-                {{KIRI_TEXT("editor/document", "Left of the line"), {}},
-                 {KIRI_TEXT("editor/document", "Right of the line"), {}}},
-                [](Step& step) -> Hand& { return std::get<Hand>(as<FoldStep>(step).moving); });
-    }
+    addSide(fold.moving);
     addLayers([](Step& step) -> LayerChoice& { return as<FoldStep>(step).layers; }, false);
   }
 
@@ -281,6 +276,24 @@ class Collecting {
     field.most = static_cast<double>(words.size()) - 1;
     field.options = std::move(words);
     return field;
+  }
+
+  /// By the direction of the line, or still the paper that was pointed at when the fold was made.
+  void addSide(const MovingSide& now) {
+    std::vector<MovingSide> sides{Hand::Left, Hand::Right};
+    Words words{{KIRI_TEXT("editor/document", "Left of the line"), {}},
+                {KIRI_TEXT("editor/document", "Right of the line"), {}}};
+    int chosen = now == sides[1] ? 1 : 0;
+    if (!std::holds_alternative<Hand>(now)) {
+      chosen = static_cast<int>(sides.size());
+      sides.push_back(now);
+      words.push_back({KIRI_TEXT("editor/document", "The paper that was chosen"), {}});
+    }
+    add(choiceOf({"moving", {KIRI_TEXT("editor/document", "Moving side"), {}}}, std::move(words),
+                 chosen),
+        [sides](Step& step, const FieldValue& value) {
+          as<FoldStep>(step).moving = sides[static_cast<std::size_t>(value.number)];
+        });
   }
 
   /// All, the uppermost, and what else there is: cuts straight down, layers picked one by one.

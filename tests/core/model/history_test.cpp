@@ -165,9 +165,12 @@ TEST(History, LookingAtAnEarlierStepTakesNoneOutOfForce) {
 TEST(History, AChangeDropsWhatWasUndone) {
   History history = opened(kThree);
   history.undo();
+  const Status undone = history.edit(2, stepOf("turn"));
+  ASSERT_FALSE(undone.isOk());
+  EXPECT_NE(undone.error().message.find("redo it"), std::string::npos) << undone.error().message;
   EXPECT_TRUE(history.edit(0, stepOf("fold A valley 30,0 30,100 left")).isOk());
   EXPECT_EQ(history.model().steps.size(), 2u);
-  EXPECT_FALSE(history.edit(2, stepOf("turn")).isOk());
+  EXPECT_FALSE(history.edit(2, stepOf("turn")).isOk()) << "there is none";
 }
 
 TEST(History, AStoppedChangeChangesNothing) {

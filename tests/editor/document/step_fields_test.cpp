@@ -6,8 +6,10 @@
 
 #include <set>
 
+#include "editor/document/document.h"
 #include "io/kiri_reader.h"
 #include "io/kiri_writer.h"
+#include "tests/support/expect.h"
 #include "tests/support/model_text.h"
 
 namespace kiri::test {
@@ -36,8 +38,7 @@ FieldValue valueOf(const Field& field) { return {field.value, field.text}; }
 FieldValue otherThan(const Field& field) {
   FieldValue other = valueOf(field);
   other.text += "other";
-  const double last = field.kind == Field::Kind::Number ? field.most : field.most;
-  other.number = field.value == last ? field.least : last;
+  other.number = field.value == field.most ? field.least : field.most;
   return other;
 }
 
@@ -153,6 +154,18 @@ TEST(StepFields, LayersPickedOneByOneAreKeptUntilOthersAreChosen) {
   const Step top = withField(step, "layers", {1, ""}).value();
   EXPECT_EQ(std::get<TopLayers>(std::get<AddEdgeStep>(top.action).layers).count, 1);
   expectRefused(step, "layers", {3, ""}, "\"Chosen layers (2)\"");
+}
+
+TEST(StepFields, TheMovingSideOfAFoldThatWasMadeCanBeTurned) {
+  Document document = Document::create(modelOf("square 100")).value();
+  document.become(addStep(stepOf("fold A valley 60,0 60,100 left"))(document.history(), {}).value(),
+                  {});
+  const Step made = document.model().steps[0];
+  const Vec2 right{80, 50};
+  EXPECT_TRUE(liesAt(*document.state(), right, {80, 50, 0}));
+  const Step turned = withField(made, "moving", {1, ""}).value();
+  document.become(editStep(0, turned)(document.history(), {}).value(), {});
+  EXPECT_TRUE(liesAt(*document.state(), right, {40, 50, 0}));
 }
 
 TEST(StepSummary, SaysWhatAStepIs) {
