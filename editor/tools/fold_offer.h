@@ -95,6 +95,7 @@ class FoldOffer {
                                    const PartedPaper& paper) const;
   bool isFor(const FoldedState& state) const;
   bool isTurned(const Scope& scope) const;
+  void addLayerFields(std::vector<Field>& fields) const;
   void addArrow(const Scope& scope, Marks& marks) const;
   void addFaults(const Scope& scope, Marks& marks) const;
 

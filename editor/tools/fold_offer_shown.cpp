@@ -38,6 +38,11 @@ bool FoldOffer::wheel(const WheelEvent& event, const Scope& scope) {
 
 void FoldOffer::addFields(const Scope& scope, std::vector<Field>& fields) const {
   if (!plan_) return;
+  if (!plan_->missing.empty()) {
+    fields.push_back(buttonField(
+        "remedy", {KIRI_TEXT("editor/tools", "Add the layers that must come along"), {}},
+        {KIRI_TEXT("editor/tools", "Without them the fold would stretch the paper"), {}}));
+  }
   fields.push_back(choiceField(
       "type", {KIRI_TEXT("editor/tools", "Fold"), {}},
       {{KIRI_TEXT("editor/tools", "Valley"), {}}, {KIRI_TEXT("editor/tools", "Mountain"), {}}},
@@ -50,6 +55,13 @@ void FoldOffer::addFields(const Scope& scope, std::vector<Field>& fields) const 
   fields.push_back(buttonField(
       "side", {KIRI_TEXT("editor/tools", "Other side"), {}},
       {KIRI_TEXT("editor/tools", "Turn the other side of the line instead (Tab)"), {}}));
+  addLayerFields(fields);
+  fields.push_back(
+      textField("name", {KIRI_TEXT("editor/tools", "Name"), {}}, name_,
+                {KIRI_TEXT("editor/tools", "Name of the fold line; empty: a number"), {}}));
+}
+
+void FoldOffer::addLayerFields(std::vector<Field>& fields) const {
   fields.push_back(choiceField(
       "layers", {KIRI_TEXT("editor/tools", "Layers"), {}},
       {{KIRI_TEXT("editor/tools", "This flap"), {}},
@@ -70,14 +82,6 @@ void FoldOffer::addFields(const Scope& scope, std::vector<Field>& fields) const 
       "fan", {KIRI_TEXT("editor/tools", "Show layers"), {}}, fan_.isOpen(),
       {KIRI_TEXT("editor/tools", "Fans the layers under the line out, to be picked by a click"),
        {}}));
-  if (!plan_->missing.empty()) {
-    fields.push_back(buttonField(
-        "remedy", {KIRI_TEXT("editor/tools", "Add the layers that must come along"), {}},
-        {KIRI_TEXT("editor/tools", "Without them the fold would stretch the paper"), {}}));
-  }
-  fields.push_back(
-      textField("name", {KIRI_TEXT("editor/tools", "Name"), {}}, name_,
-                {KIRI_TEXT("editor/tools", "Name of the fold line; empty: a number"), {}}));
 }
 
 bool FoldOffer::setField(const std::string& id, const FieldValue& value, const Scope& scope) {
@@ -127,11 +131,15 @@ void FoldOffer::addArrow(const Scope& scope, Marks& marks) const {
   if (!plan_->leftMoves) axis = -axis;
   const double degrees = stepType_ == FoldType::Valley ? angle_ : -angle_;
   const Vec3 from = state.poseOf(mover.facet).apply(mover.paper);
-  constexpr int kPieces = 16;
+  const Vec3 to = rotationAbout(origin, axis, degrees).apply(from);
+  // Between the way of the paper and a bow beside it, so that it shows from every side.
+  const Vec3 rise = rotationAbout(origin, axis, degrees / 2).apply(from) - (from + to) / 2;
+  const Vec3 bow = rise * 0.5 + axis * (0.12 * distance(from, to));
+  constexpr int kPieces = 12;
   PathMark arrow{role(scope), {}, false, true};
   for (int i = 0; i <= kPieces; ++i) {
-    const double part = static_cast<double>(i) / kPieces;
-    arrow.places.push_back(rotationAbout(origin, axis, degrees * part).apply(from));
+    const double t = static_cast<double>(i) / kPieces;
+    arrow.places.push_back(from * (1 - t) + to * t + bow * (4 * t * (1 - t)));
   }
   marks.push_back(arrow);
   // On the flat sheet: across the line as it lies on the same facet.

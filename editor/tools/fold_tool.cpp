@@ -59,7 +59,7 @@ Reaction FoldTool::pointer(const PointerEvent& event, const Scope& scope) {
       return event.button == PointerButton::Left ? release(event, scope) : Reaction::ignored();
     case PointerAction::DoubleClick:
       pressed_.reset();
-      if (phase_ != Phase::Resting || !offer_.isThere()) return Reaction::ignored();
+      if (phase_ != Phase::Resting || !hasOffer()) return Reaction::ignored();
       return {.isHandled = true, .wantsCommit = true};
     case PointerAction::Leave:
       caught_.clear();
@@ -156,6 +156,14 @@ void FoldTool::dragPaper(const PointerEvent& event, const Scope& scope) {
   const auto facet = grab_->facet.in(state);
   if (!facet) return reset();
   modifyLayers(event.modifiers);
+  opening_.reset();
+  if (pane_ == Pane::Model) opening_ = openingUnder(scope, {*facet, grab_->from}, event.at);
+  if (opening_) {
+    caught_.clear();
+    grab_->to = opening_->place;
+    offer_.drop();
+    return line_.reset();
+  }
   const auto onto = snapPoint(state, scope.map(pane_), event.at, scope.snaps, *facet, grab_->from);
   if (!onto) return;
   caught_ = onto->marks;
@@ -217,8 +225,8 @@ void FoldTool::lookAtLine(const Scope& scope, bool isNew) {
 
 void FoldTool::rest(const Scope& scope) {
   caught_.clear();
-  offer_.lookAgain(scope);
-  if (!offer_.isThere()) return reset();
+  if (!opening_) offer_.lookAgain(scope);
+  if (!hasOffer()) return reset();
   phase_ = Phase::Resting;
   const auto segment = offer_.segment(*scope.state);
   if (grab_ && segment) line_.set(*scope.state, *segment, pane_);
@@ -249,8 +257,7 @@ Reaction FoldTool::key(const KeyEvent& event, const Scope& scope) {
     return Reaction::handled();
   }
   if (event.key == Key::Enter) {
-    if (phase_ != Phase::Resting || line_.isMoving() || !offer_.isThere())
-      return Reaction::ignored();
+    if (phase_ != Phase::Resting || line_.isMoving() || !hasOffer()) return Reaction::ignored();
     return {.isHandled = true, .wantsCommit = true};
   }
   return offer_.key(event, scope) ? Reaction::handled() : Reaction::ignored();
@@ -261,23 +268,39 @@ Reaction FoldTool::wheel(const WheelEvent& event, const Scope& scope) {
 }
 
 std::optional<Proposal> FoldTool::proposal(const Scope&) const {
+  const bool isComplete = phase_ == Phase::Resting && !line_.isMoving();
+  if (opening_) return Proposal{{AngleStep{opening_->line, 0}, {}, {}, {}}, isComplete};
   const auto step = offer_.step();
   if (!step) return std::nullopt;
-  return Proposal{{*step, {}, {}, {}}, phase_ == Phase::Resting && !line_.isMoving()};
+  return Proposal{{*step, {}, {}, {}}, isComplete};
 }
 
 Marks FoldTool::marks(const Scope& scope) const {
   Marks marks;
   if (phase_ != Phase::Idle) {
+    line_.addMarks(scope, MarkRole::Line, marks);
     offer_.addMarks(scope, marks);
-    line_.addMarks(scope, offer_.isThere() ? offer_.role(scope) : MarkRole::Line, marks);
   }
+  addOpening(scope, marks);
   if (const auto held = heldAt(scope.map(pane_), *scope.state)) {
     const MarkRole role = phase_ == Phase::Grabbing ? MarkRole::ActiveHandle : MarkRole::Handle;
     marks.push_back(PointMark{role, PixelPlace{pane_, *held}});
   }
   marks.insert(marks.end(), caught_.begin(), caught_.end());
   return marks;
+}
+
+void FoldTool::addOpening(const Scope& scope, Marks& marks) const {
+  const auto facet = opening_ && grab_ ? grab_->facet.in(*scope.state) : std::nullopt;
+  if (!facet) return;
+  marks.push_back(PathMark{MarkRole::Selected,
+                           {Spot{*facet, opening_->from}, Spot{*facet, opening_->to}},
+                           false,
+                           false});
+  const Vec3 at = scope.state->poseOf(*facet).apply(opening_->place);
+  marks.push_back(PointMark{MarkRole::Snap, at});
+  marks.push_back(
+      TextMark{MarkRole::Snap, at, {KIRI_TEXT("editor/tools", "opens \"%1\""), {opening_->line}}});
 }
 
 std::vector<TintedFacet> FoldTool::tints(const Scope& scope) const { return offer_.tints(scope); }
@@ -306,6 +329,8 @@ Phrase FoldTool::hint(const Scope& scope) const {
   }
   if (phase_ == Phase::Drawing)
     return {KIRI_TEXT("editor/tools", "Draw the line right across the paper, then release"), {}};
+  if (phase_ == Phase::Resting && opening_)
+    return {KIRI_TEXT("editor/tools", "Enter opens the fold again, Esc leaves it"), {}};
   if (phase_ == Phase::Resting) {
     if (offer_.hasMissing()) {
       return {KIRI_TEXT("editor/tools",

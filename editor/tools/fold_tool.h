@@ -9,11 +9,13 @@
 #include "editor/snap/constructions.h"
 #include "editor/tools/drawn_line.h"
 #include "editor/tools/fold_offer.h"
+#include "editor/tools/open_flap.h"
 #include "editor/tools/tool.h"
 
 namespace kiri {
 
-/// Pressed on paper and dragged, the paper follows the pointer and the crease appears half way.
+/// Pressed on paper and dragged, the paper follows the pointer and the crease appears half way; a
+/// flap that is dragged back to where it came from opens its fold.
 /// Pressed beside the paper and dragged, a line is drawn. Either stays until Enter or Escape, with
 /// handles and fields. In the model pane and in the sheet pane alike.
 class FoldTool final : public Tool {
@@ -51,6 +53,8 @@ class FoldTool final : public Tool {
   void modifyLayers(const Modifiers& modifiers);
   void lookAtLine(const Scope& scope, bool isNew);
   void rest(const Scope& scope);
+  bool hasOffer() const { return offer_.isThere() || opening_; }
+  void addOpening(const Scope& scope, Marks& marks) const;
   std::optional<Vec2> heldAt(const PaneMap& map, const FoldedState& state) const;
   std::optional<Vec2> edgeOntoEdge(const Scope& scope, Vec2 pixels, const Spot& onto) const;
 
@@ -58,6 +62,7 @@ class FoldTool final : public Tool {
   Pane pane_ = Pane::Model;
   std::optional<PointerEvent> pressed_;  ///< nothing has come of it yet
   std::optional<Grab> grab_;
+  std::optional<FlapOpening> opening_;
   LayerMode modeBefore_ = LayerMode::Hand;
   bool isModeHeld_ = false;  ///< a modifier key says which layers
   LineHand line_;

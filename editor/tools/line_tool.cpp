@@ -185,8 +185,8 @@ std::optional<Proposal> LineTool::proposal(const Scope&) const {
 
 Marks LineTool::marks(const Scope& scope) const {
   Marks marks;
+  line_.addMarks(scope, MarkRole::Line, marks);
   offer_.addMarks(scope, marks);
-  line_.addMarks(scope, offer_.isThere() ? offer_.role(scope) : MarkRole::Line, marks);
   if (!isDrawn()) builder_.addMarks(scope, marks);
   return marks;
 }

@@ -243,6 +243,16 @@ TEST(FoldTool, StepsNamePlacesOnThePaperOnly) {
   EXPECT_EQ(std::get<MovingPoint>(step.moving).place.frame, Frame::Paper);
 }
 
+TEST(FoldTool, AFlapDraggedBackOverItsCreaseOpensItsFold) {
+  ToolDriver hand(ToolId::Fold, kHalved);
+  hand.drag({99.5, 0.5}, {0.5, 0.5});
+  ASSERT_TRUE(hand.key(Key::Enter).wantsCommit);
+  ASSERT_EQ(hand.steps().size(), 1U);
+  EXPECT_EQ(std::get<AngleStep>(hand.steps()[0].action).angle, 0);
+  EXPECT_AT(imageOf(hand.state(), {0, 0}), 0, 0, 0);
+  EXPECT_FALSE(hand.tool().isBusy());
+}
+
 TEST(FoldTool, HintsAndCursorsSayWhatTheHandCanDo) {
   ToolDriver hand(ToolId::Fold, "square 100");
   const Phrase idle = hand.tool().hint(hand.scope());
