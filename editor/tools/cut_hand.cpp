@@ -34,7 +34,9 @@ Step CutHand::step(const Scope& scope, const Line& line, bool isResting) const {
 }
 
 void CutHand::lineRests(const Scope& scope, const Line& line, CutHabit habit) {
-  keep_.suggest(scope, step(scope, line, false), habit);
+  const Step all = step(scope, line, false);
+  keep_.suggest(scope, all, habit);
+  keep_.showDropped(scope, all);
 }
 
 bool CutHand::press(const PointerEvent& event, const Scope& scope) {
@@ -52,14 +54,17 @@ bool CutHand::follow(const PointerEvent& event, const Scope& scope, const Line& 
       event.action == PointerAction::Release && event.button == PointerButton::Left;
   if (keep_.isMoving()) {
     if (isRelease || event.action == PointerAction::Move) keep_.follow(event, scope);
+    if (isRelease) keep_.showDropped(scope, step(scope, line, false));
     return true;
   }
   if (!click_) return false;
   if (isRelease) {
     const Vec2 place = *click_;
     click_.reset();
-    if (distance(event.at, pressedAt_) < handleReach(event))
-      keep_.toggle(scope, step(scope, line, false), place);
+    if (distance(event.at, pressedAt_) >= handleReach(event)) return true;
+    const Step all = step(scope, line, false);
+    keep_.toggle(scope, all, place);
+    keep_.showDropped(scope, all);
   }
   return true;
 }

@@ -77,8 +77,8 @@ const Piece* bestOf(const std::vector<Piece>& pieces, CutHabit habit) {
   return habit == CutHabit::Shape && best ? best : largest;
 }
 
-/// True when the pieces can be told into two sides such that every cut lies between the two. Then
-/// the kernel keeps a side; otherwise a facet would be on both, or only trying tells.
+/// True when the pieces can be told into two sides such that every cut lies between the two: then
+/// the kernel most likely keeps a side. To be certain the cut has to be tried.
 bool haveTwoSides(const FoldedState& after) {
   const std::vector<std::uint32_t> pieceOf = piecesOf(after.pattern);
   std::vector<std::vector<std::uint32_t>> beyond(pieceOf.size());
@@ -139,6 +139,31 @@ std::vector<bool> piecesIn(const FoldedState& now, const FoldedState& all) {
   return isThere;
 }
 
+/// Beyond so many facets applying a cut once more than needed is felt.
+constexpr std::size_t kManyFacets = 300;
+
+/// The rims of the pieces of `all` that are not in `now`, where they lie in the model.
+std::vector<PathMark> outlinesOfDropped(const FoldedState& all, const FoldedState& now) {
+  constexpr int kPerCurve = 8;
+  const std::vector<bool> isThere = piecesIn(now, all);
+  const std::vector<std::uint32_t> pieceOf = piecesOf(all.pattern);
+  std::vector<PathMark> outlines;
+  for (std::size_t f = 0; f < pieceOf.size(); ++f) {
+    if (isThere[pieceOf[f]]) continue;
+    for (const EdgeUse use : all.pattern[FacetId(f)].border) {
+      if (all.pattern[use.edge].kind == EdgeKind::Hinge) continue;
+      const Arc arc = arcOf(all.pattern, use);
+      const int parts = arc.isCurved ? kPerCurve : 1;
+      PathMark path{MarkRole::Ghost, {}, false, false};
+      for (int i = 0; i <= parts; ++i)
+        path.places.push_back(
+            all.poseOf(FacetId(f)).apply(pointAt(arc, static_cast<double>(i) / parts)));
+      outlines.push_back(std::move(path));
+    }
+  }
+  return outlines;
+}
+
 Step withKeep(const Step& cut, Keep keep) {
   Step step = cut;
   keepOf(step) = std::move(keep);
@@ -165,7 +190,9 @@ void KeepChoice::suggest(const Scope& scope, const Step& cut, CutHabit habit) {
   if (!best) return;
   mark_ = best->place;
   mode_ = Mode::Side;
-  if (haveTwoSides(*all) || outcomeOf(scope, withKeep(cut, keep(state)))) return;
+  const bool isLarge = state.pattern.facets.size() > kManyFacets;
+  if (isLarge ? haveTwoSides(*all) : outcomeOf(scope, withKeep(cut, keep(state))) != nullptr)
+    return;
   mode_ = Mode::Pieces;  // the sides hang together somewhere, but the cut parts pieces
   for (const Piece& piece : pieces) {
     if (!piece.isParted || &piece == best) pieces_.push_back(piece.place);
@@ -195,6 +222,14 @@ void KeepChoice::toggle(const Scope& scope, const Step& cut, Vec2 paper) {
   pieces_ = std::move(kept);
   mode_ = Mode::Pieces;
   isChosen_ = true;
+}
+
+void KeepChoice::showDropped(const Scope& scope, const Step& cut) {
+  dropped_.clear();
+  if (mode_ == Mode::All || scope.state->pattern.facets.size() > kManyFacets) return;
+  const auto all = outcomeOf(scope, withKeep(cut, {}));
+  const auto now = outcomeOf(scope, withKeep(cut, keep(*scope.state)));
+  if (all && now) dropped_ = outlinesOfDropped(*all, *now);
 }
 
 bool KeepChoice::takeMark(const PointerEvent& press, const Scope& scope) {
@@ -245,6 +280,7 @@ void KeepChoice::addMarks(const FoldedState& state, Marks& marks) const {
     if (pieces_.size() > kMostWords) return;
     marks.push_back(TextMark{role, Spot{*facet, place}, {KIRI_TEXT("editor/tools", "stays"), {}}});
   };
+  marks.insert(marks.end(), dropped_.begin(), dropped_.end());
   if (mode_ == Mode::Side && mark_)
     add(*mark_, isHeld_ ? MarkRole::ActiveHandle : MarkRole::Handle);
   if (mode_ != Mode::Pieces || pieces_.size() > kMostPoints) return;

@@ -37,6 +37,10 @@ class KeepChoice {
   /// cannot be dropped: the rest is kept instead. Applies the cut.
   void toggle(const Scope& scope, const Step& cut, Vec2 paper);
 
+  /// Finds the outlines of what goes, which are drawn where it was: the preview shows what stays.
+  /// Applies the cut; does nothing for large models.
+  void showDropped(const Scope& scope, const Step& cut);
+
   /// Takes the mark when the pointer is on it.
   bool takeMark(const PointerEvent& press, const Scope& scope);
   /// The pointer moved or was released while the mark is held.
@@ -53,6 +57,7 @@ class KeepChoice {
   bool isHeld_ = false;
   Mode mode_ = Mode::All;
   std::optional<Vec2> mark_;  ///< paper frame, on the paper
+  std::vector<PathMark> dropped_;
   std::vector<Vec2> pieces_;  ///< paper frame, one in each piece that stays
 };
 

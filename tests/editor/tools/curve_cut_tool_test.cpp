@@ -133,6 +133,43 @@ TEST(CurveCutTool, AClickOnAPieceKeepsOrDropsItAndTheLastOneChangesPlaces) {
   EXPECT_NEAR(areaAfter(hand), first, 1e-6);
 }
 
+TEST(CurveCutTool, WhatGoesIsOutlinedWhereItWas) {
+  ToolDriver hand = waved();
+  EXPECT_GE(hand.count(MarkRole::Ghost), 4U);
+  for (const Mark& mark : hand.tool().marks(hand.scope())) {
+    const auto* path = std::get_if<PathMark>(&mark);
+    if (!path || path->role != MarkRole::Ghost) continue;
+    for (const MarkPlace& place : path->places) EXPECT_GT(std::get<Vec3>(place).x, 20);
+  }
+  hand.set("keep", 1);
+  EXPECT_EQ(hand.count(MarkRole::Ghost), 0U);
+}
+
+TEST(CurveCutTool, ACutWithoutSidesStillKeepsAPiece) {
+  // Downwards through the strip, round its end, and downwards again: the middle is on both sides.
+  ToolDriver hand = handOn(run("polygon 0,0 120,0 120,20 0,20"));
+  hand.camera.zoom({400, 300}, 0.4);
+  clickAll(hand, {{40, 60},
+                  {40, 30},
+                  {40, -10},
+                  {45, -50},
+                  {100, -60},
+                  {160, -50},
+                  {175, 0},
+                  {160, 60},
+                  {120, 85},
+                  {85, 65},
+                  {80, 30},
+                  {80, 5},
+                  {80, -25}});
+  hand.key(Key::Enter);
+  EXPECT_EQ(hand.field("keep").value, 2);
+  const auto after = hand.result();
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_EQ(pieceCount(*after), 1U);
+  EXPECT_NEAR(areaOf(*after), 800, 100);
+}
+
 TEST(CurveCutTool, TheMarkOfWhatStaysCanBeDraggedAcross) {
   ToolDriver hand = waved();
   const double first = areaAfter(hand);
