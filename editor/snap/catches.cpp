@@ -78,15 +78,13 @@ class Collector {
   }
 
   void addEdges() {
-    const std::vector<EdgeInView> edges = near_.edges();
+    EdgesNear edges(near_, seen_, question_.pixels, radius_);
     std::vector<EdgeInView> seen;
-    for (const EdgeNear& found : edgesNear(edges, near_, question_.pixels, radius_)) {
-      const EdgeInView& edge = edges[found.number];
+    for (const EdgeInView& edge : edges.all()) {
       if (!isInPlane(near_, question_, edge.facet)) continue;
-      std::optional<EdgePoint> point = found.nearest;
-      if (!seen_.has(edge.facet, point->at)) {
-        point = nearestSeen(edge, near_, seen_, question_.pixels, radius_, found.nearest.t);
-      }
+      const bool isSeen = edges.isSeen(edge);
+      const std::optional<EdgePoint> point =
+          isSeen ? std::optional{edge.nearest} : edges.fromUnder(edge);
       if (!point) continue;
       seen.push_back(edge);
       if (question_.settings.toEdges) addEdgePoint(edge, point->paper);

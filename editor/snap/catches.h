@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "editor/snap/snap.h"
+#include "editor/view/edges_near.h"
 #include "editor/view/neighbourhood.h"
+#include "editor/view/seen_places.h"
 
 namespace kiri {
 

@@ -3,7 +3,10 @@
 #include "editor/view/neighbourhood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "core/geometry/rigid.h"
 #include "render/visibility/facet_view.h"
@@ -34,6 +37,33 @@ bool holds(const Box& box, Vec2 p, double margin) {
          p.y <= box.high.y + margin;
 }
 
+/// Pixels: what a question may ask right beside the radius.
+constexpr double kMargin = 1;
+
+/// The straight edges of a facet that come near a pixel, as they appear with the paper on their
+/// left: facets with the same outline are the same there, as far as the radius goes. None: there
+/// are curved ones.
+using Outline = std::vector<std::array<double, 4>>;
+
+std::optional<Outline> outlineNear(const FoldedState& state, const PaneMap& map, FacetId facet,
+                                   Vec2 pixels, double radius) {
+  constexpr double kCells = 1 << 16;  // a pixel, each way: above rounding
+  const Rigid pose = map.poseOf(state, facet);
+  const bool isFront = map.frame.facing(pose.normal(), pose.origin) > 0;
+  Outline outline;
+  for (const EdgeUse use : state.pattern[facet].border) {
+    if (state.pattern[use.edge].isCurved()) return std::nullopt;
+    Vec2 from = map.toPixels(pose.apply(state.pattern[startOf(state.pattern, use)]));
+    Vec2 to = map.toPixels(pose.apply(state.pattern[endOf(state.pattern, use)]));
+    if (nearestOn(Arc::line(from, to), pixels).distance > radius) continue;
+    if (!isFront) std::swap(from, to);
+    outline.push_back({std::round(from.x * kCells), std::round(from.y * kCells),
+                       std::round(to.x * kCells), std::round(to.y * kCells)});
+  }
+  std::sort(outline.begin(), outline.end());
+  return outline;
+}
+
 constexpr Box kNoBox{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
 
 }  // namespace
@@ -43,13 +73,13 @@ Neighbourhood::Neighbourhood(const FoldedState& state, const PaneMap& map, Vec2 
     : state_(state), map_(map) {
   gather(pixels, radius);
   sortLayers();
-  for (const Layers& layers : sets_) {
-    for (const Near& near : layers.facets) ids_.push_back(near.id);
+  for (Layers& layers : sets_) {
+    leaveOutCovered(layers, pixels, radius);
+    for (const Near& near : layers.open) ids_.push_back(near.id);
   }
 }
 
 void Neighbourhood::gather(Vec2 pixels, double radius) {
-  constexpr double kMargin = 1;  // pixels: what a question asks right beside the radius
   const Box wanted = grown({pixels, pixels}, radius + kMargin);
   const bool isSheet = map_.pane == Pane::Sheet;
   std::vector<std::uint32_t> places(isSheet ? 1 : state_.layers.sets().size(), Id<int>::kNone);
@@ -72,9 +102,9 @@ void Neighbourhood::gather(Vec2 pixels, double radius) {
       places[set] = static_cast<std::uint32_t>(sets_.size());
       const bool isFlipped =
           !isSheet && map_.frame.facing(state_.layers.sets()[set].normal, pose.origin) < 0;
-      sets_.push_back({set, isFlipped, {}});
+      sets_.push_back({set, isFlipped, {}, {}});
     }
-    sets_[places[set]].facets.push_back({facet, paper});
+    sets_[places[set]].all.push_back({facet, paper});
   }
 }
 
@@ -82,11 +112,31 @@ void Neighbourhood::sortLayers() {
   if (map_.pane == Pane::Sheet) return;  // no facet lies on another
   for (Layers& layers : sets_) {
     const bool isFlipped = layers.isFlipped;
-    std::sort(layers.facets.begin(), layers.facets.end(), [&](const Near& a, const Near& b) {
+    std::sort(layers.all.begin(), layers.all.end(), [&](const Near& a, const Near& b) {
       const std::uint32_t ra = state_.layers.rankOf(a.id);
       const std::uint32_t rb = state_.layers.rankOf(b.id);
       return isFlipped ? ra < rb : ra > rb;
     });
+  }
+}
+
+void Neighbourhood::leaveOutCovered(Layers& layers, Vec2 pixels, double radius) const {
+  const bool isList = map_.pane != Pane::Sheet &&
+                      state_.layers.sets()[layers.set].exceptions.empty() && layers.all.size() > 1;
+  if (!isList) {
+    layers.open = layers.all;
+    return;
+  }
+  std::set<Outline> known;
+  for (const Near& near : layers.all) {
+    auto outline = outlineNear(state_, map_, near.id, pixels, radius + kMargin);
+    if (outline && outline->empty()) {
+      if (!hit(near, pixels)) continue;
+      layers.open.push_back(near);  // it covers all that is below it
+      return;
+    }
+    if (outline && !known.insert(std::move(*outline)).second) continue;
+    layers.open.push_back(near);
   }
 }
 
@@ -111,7 +161,7 @@ std::optional<Neighbourhood::Hit> Neighbourhood::topOf(const Layers& layers, Vec
   const bool isList = isSheet || state_.layers.sets()[layers.set].exceptions.empty();
   std::optional<Hit> inside;
   std::vector<Hit> onBorder;
-  for (const Near& facet : layers.facets) {
+  for (const Near& facet : layers.open) {
     const std::optional<Hit> found = hit(facet, pixels);
     if (!found) continue;
     if (isList && (found->isInside || !isSheet)) return found;
@@ -159,7 +209,7 @@ std::vector<PaperPick> Neighbourhood::stack(Vec2 pixels) const {
   std::vector<Group> groups;
   for (const Layers& layers : sets_) {
     std::vector<PaperPick> picks;
-    for (const Near& facet : layers.facets) {
+    for (const Near& facet : layers.all) {
       const std::optional<Hit> found = hit(facet, pixels);
       if (!found) continue;
       // The list is right but for exceptions: each goes up past those that it is over.
@@ -196,20 +246,25 @@ bool Neighbourhood::isOver(FacetId a, FacetId b, Vec2 pixels) const {
   return std::abs(ahead) > state_.tolerance().match() ? ahead > 0 : a < b;
 }
 
-/// Adds the directions, degrees in the view, in which edges of the facet leave the point.
-void Neighbourhood::collectDirections(const Near& facet, Vec2 pixels,
-                                      std::vector<double>& degrees) const {
+bool Neighbourhood::isWellInside(const Spot& spot) const {
+  return locate(regionOf(state_.pattern, spot.facet), spot.paper, state_.tolerance().match()) ==
+         Where::Inside;
+}
+
+void Neighbourhood::addDirections(FacetId facet, Vec2 pixels, std::vector<double>& degrees) const {
   const double reach = state_.tolerance().match();
-  const std::optional<Vec2> paper = map_.onPlaneOf(state_, facet.id, pixels);
-  if (!paper || !holds(facet.paper, *paper, reach)) return;
-  const Rigid pose = map_.poseOf(state_, facet.id);
+  const std::optional<Vec2> paper = map_.onPlaneOf(state_, facet, pixels);
+  if (!paper) return;
+  const Rigid pose = map_.poseOf(state_, facet);
   const double step = state_.tolerance().thin();
   const Vec2 here = map_.frame.project(pose.apply(*paper));
   const auto add = [&](Vec2 direction) {
     const Vec2 away = map_.frame.project(pose.apply(*paper + direction * step)) - here;
-    if (length(away) > 0) degrees.push_back(angleDegrees(away.x, away.y));
+    if (!(length(away) > 0)) return;
+    const double angle = angleDegrees(away.x, away.y);
+    degrees.push_back(angle < 0 ? angle + 360 : angle);
   };
-  for (const EdgeUse use : state_.pattern[facet.id].border) {
+  for (const EdgeUse use : state_.pattern[facet].border) {
     const Arc arc = arcOf(state_.pattern, use);
     if (!holds(boundsOf(arc), *paper, reach)) continue;
     const Nearest nearest = nearestOn(arc, *paper);
@@ -224,46 +279,6 @@ void Neighbourhood::collectDirections(const Near& facet, Vec2 pixels,
     add(normalized(tangent));
     add(-normalized(tangent));
   }
-}
-
-std::vector<FacetId> Neighbourhood::seenAround(Vec2 pixels) const {
-  constexpr double kNarrow = 1.0 / 1024;  // degrees: no paper is seen between two edges there
-  const std::optional<Hit> here = topHit(pixels);
-  if (here && here->isInside) return {here->pick.spot.facet};
-  std::vector<double> edges;
-  for (const Layers& layers : sets_) {
-    for (const Near& facet : layers.facets) collectDirections(facet, pixels, edges);
-  }
-  std::sort(edges.begin(), edges.end());
-  std::vector<FacetId> seen;
-  const double step = state_.tolerance().thin() * map_.pixelsPerMm;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const double next = i + 1 < edges.size() ? edges[i + 1] : edges.front() + 360;
-    if (next - edges[i] < kNarrow) continue;
-    const CosSin towards = cosSinDegrees((edges[i] + next) / 2);
-    const std::optional<PaperPick> found =
-        top({pixels.x + towards.cos * step, pixels.y - towards.sin * step});
-    if (!found) continue;
-    if (std::find(seen.begin(), seen.end(), found->spot.facet) == seen.end()) {
-      seen.push_back(found->spot.facet);
-    }
-  }
-  return seen;
-}
-
-std::vector<EdgeInView> Neighbourhood::edges() const {
-  constexpr double kPart = 0.01;  // of a pixel: how true curves in perspective need to be
-  std::vector<EdgeInView> out;
-  std::vector<SeenArc> parts;
-  for (const FacetId facet : ids_) {
-    const Rigid pose = map_.poseOf(state_, facet);
-    for (const EdgeUse use : state_.pattern[facet].border) {
-      parts.clear();
-      appendSeen(arcOf(state_.pattern, use), pose, map_.frame, kPart / map_.pixelsPerMm, parts);
-      for (const SeenArc& part : parts) out.push_back({facet, use, part});
-    }
-  }
-  return out;
 }
 
 }  // namespace kiri

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/view/edges_near.h"
 #include "editor/view/neighbourhood.h"
+#include "editor/view/seen_places.h"
 
 namespace kiri {
 namespace {
@@ -56,7 +58,9 @@ std::vector<PaperPick> pickStack(const FoldedState& state, const PaneMap& map, V
   return Neighbourhood(state, map, pixels, 0).stack(pixels);
 }
 
-std::optional<VertexPick> pickVertex(const Neighbourhood& near, Vec2 pixels, double radius) {
+std::optional<VertexPick> pickVertex(const FoldedState& state, const PaneMap& map, Vec2 pixels,
+                                     double radius) {
+  const Neighbourhood near(state, map, pixels, radius);
   const std::optional<PaperPick> paper = near.top(pixels);
   SeenPlaces seen(near);
   std::optional<VertexInView> best;
@@ -70,46 +74,42 @@ std::optional<VertexPick> pickVertex(const Neighbourhood& near, Vec2 pixels, dou
     best = found;
   }
   if (!best) return std::nullopt;
-  const Vec2 place = near.state().pattern[best->vertex];
-  return VertexPick{best->vertex, {best->facet, place}, best->pixels};
-}
-
-std::optional<EdgePick> pickEdge(const Neighbourhood& near, Vec2 pixels, double radius) {
-  const std::optional<PaperPick> paper = near.top(pixels);
-  const std::vector<EdgeInView> edges = near.edges();
-  SeenPlaces seen(near);
-  std::optional<EdgeNear> best;
-  for (const EdgeNear& found : edgesNear(edges, near, pixels, radius)) {
-    const EdgeInView& edge = edges[found.number];
-    if (best && found.nearest.pixels > best->nearest.pixels + kSamePlaceInPixels) break;
-    std::optional<EdgePoint> point = found.nearest;
-    if (!seen.has(edge.facet, point->at)) {
-      point = nearestSeen(edge, near, seen, pixels, radius, found.nearest.t);
-    }
-    if (!point) continue;
-    if (best) {
-      const double nearer = best->nearest.pixels - point->pixels;
-      if (nearer < -kSamePlaceInPixels) continue;
-      if (nearer <= kSamePlaceInPixels &&
-          !isBetter(near, paper, edge.facet, edges[best->number].facet, point->at)) {
-        continue;
-      }
-    }
-    best = EdgeNear{found.number, *point};
-  }
-  if (!best) return std::nullopt;
-  const EdgeInView& edge = edges[best->number];
-  return EdgePick{edge.use.edge, {edge.facet, best->nearest.paper}, best->nearest.pixels};
-}
-
-std::optional<VertexPick> pickVertex(const FoldedState& state, const PaneMap& map, Vec2 pixels,
-                                     double radius) {
-  return pickVertex(Neighbourhood(state, map, pixels, radius), pixels, radius);
+  return VertexPick{best->vertex, {best->facet, state.pattern[best->vertex]}, best->pixels};
 }
 
 std::optional<EdgePick> pickEdge(const FoldedState& state, const PaneMap& map, Vec2 pixels,
                                  double radius) {
-  return pickEdge(Neighbourhood(state, map, pixels, radius), pixels, radius);
+  const Neighbourhood near(state, map, pixels, radius);
+  const std::optional<PaperPick> paper = near.top(pixels);
+  SeenPlaces seen(near);
+  EdgesNear edges(near, seen, pixels, radius);
+  struct Found {
+    const EdgeInView* edge = nullptr;
+    EdgePoint point;
+  };
+  std::optional<Found> best;
+  const auto offer = [&](const EdgeInView& edge, const EdgePoint& point) {
+    const double nearer = best ? best->point.pixels - point.pixels : HUGE_VAL;
+    if (nearer < -kSamePlaceInPixels) return;
+    const bool isTie = nearer <= kSamePlaceInPixels;
+    if (isTie && !isBetter(near, paper, edge.facet, best->edge->facet, point.at)) return;
+    best = Found{&edge, point};
+  };
+  std::vector<const EdgeInView*> hidden;
+  for (const EdgeInView& edge : edges.all()) {
+    if (best && edge.nearest.pixels > best->point.pixels + kSamePlaceInPixels) break;
+    if (edges.isSeen(edge)) {
+      offer(edge, edge.nearest);
+    } else {
+      hidden.push_back(&edge);
+    }
+  }
+  for (const EdgeInView* edge : hidden) {  // some come out from under other paper nearby
+    if (best && edge->nearest.pixels > best->point.pixels - kSamePlaceInPixels) break;
+    if (const auto point = edges.fromUnder(*edge)) offer(*edge, *point);
+  }
+  if (!best) return std::nullopt;
+  return EdgePick{best->edge->use.edge, {best->edge->facet, best->point.paper}, best->point.pixels};
 }
 
 std::vector<FacetId> facetsWithin(const FoldedState& state, const PaneMap& map, Vec2 a, Vec2 b) {

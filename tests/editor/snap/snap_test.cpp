@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "core/paper/boxes.h"
-#include "editor/view/neighbourhood.h"
+#include "editor/view/seen_places.h"
 #include "tests/support/model_text.h"
 #include "tests/support/views.h"
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/paper/boxes.h"
 #include "editor/view/neighbourhood.h"
 #include "render/visibility/facet_view.h"
 #include "render/visibility/visible_regions.h"
@@ -350,6 +351,49 @@ TEST(PickVertex, TheFacetUnderThePointerIsPreferred) {
     const EdgePick edge = pickEdge(state, map, end + Vec2{side, 40}, 8).value();
     EXPECT_EQ(edge.spot.facet, facetOf(state, {side < 0 ? 10.0 : 90.0, 50}));
     EXPECT_NEAR(edge.spot.paper.x, 50, 1e-12);
+  }
+}
+
+TEST(PickVertex, WorksWhereTheHandHasZoomedInAsFarAsItGoes) {
+  const FoldedState state = test::run("square 100; fold valley 50,0 50,100 left");
+  Camera camera = test::frontCamera(state);
+  const Vec3 corner{100, 100, 0};
+  for (int i = 0; i < 60; ++i) camera.zoom(camera.map().toPixels(corner), 1.5);
+  const PaneMap map = camera.map();
+  EXPECT_GT(map.pixelsPerMm, 5000);
+  const Vec2 at = map.toPixels(corner);
+  for (const Vec2 off : {Vec2{0, 0}, Vec2{3, 4}, Vec2{-5, 5}}) {
+    const std::optional<VertexPick> vertex = pickVertex(state, map, at + off, 8);
+    ASSERT_TRUE(vertex.has_value());
+    EXPECT_EQ(vertex->spot.paper, (Vec2{0, 100})) << "the uppermost";
+  }
+  const std::optional<EdgePick> edge = pickEdge(state, map, at + Vec2{5, 90}, 8);
+  ASSERT_TRUE(edge.has_value());
+  EXPECT_NEAR(edge->pixels, 5, 1e-3);
+  EXPECT_EQ(edge->spot.facet, facetOf(state, {10, 50}));
+}
+
+TEST(PickEdge, InAStackTheUppermostOfEqualEdgesIsFoundFromEitherSide) {
+  const FoldedState state = test::run(
+      "square 80; fold a valley m:40,0 m:40,80 left; fold b valley m:0,40 m:80,40 left; fold c "
+      "valley m:60,0 m:60,80 left; fold d valley m:60,20 m:80,20 left; fold e valley m:70,0 "
+      "m:70,20 "
+      "left");
+  ASSERT_EQ(state.pattern.facets.size(), 32U);
+  const ModelBox box = modelBoxOf(state);
+  const Vec3 middle = box.middle();
+  for (const bool isBack : {false, true}) {
+    const PaneMap map = (isBack ? test::backCamera(state) : test::frontCamera(state)).map();
+    const Vec2 inwards = map.toPixels(middle);
+    for (const Vec3 place : {Vec3{box.low.x, middle.y, 0}, Vec3{box.high.x, middle.y, 0},
+                             Vec3{middle.x, box.low.y, 0}, Vec3{middle.x, box.high.y, 0}}) {
+      const Vec2 pixels = map.toPixels(place);
+      const std::optional<PaperPick> top = pickPaper(state, map, lerp(pixels, inwards, 0.1));
+      ASSERT_TRUE(top.has_value());
+      const std::optional<EdgePick> edge = pickEdge(state, map, lerp(pixels, inwards, -0.02), 12);
+      ASSERT_TRUE(edge.has_value());
+      EXPECT_EQ(edge->spot.facet.index, top->spot.facet.index);
+    }
   }
 }
 
