@@ -6,17 +6,12 @@ build=$(readlink -f -- "$1")
 shift
 cd "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 
-files=("$@")
-if ((${#files[@]} == 0)); then
-  tops=()
-  for top in core io render editor apps; do
-    [[ -d $top ]] && tops+=("$top")
-  done
-  mapfile -t files < <(find "${tops[@]}" -name '*.cpp' | sort)
+if (($# == 0)); then
+  exec python3 tools/tidy_rooms.py "$build"
 fi
 # The build is g++'s: flags that only g++ knows are no defect.
 status=0
-found=$(printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" \
+found=$(printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" \
   clang-tidy -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option 2>&1) || status=1
 grep -vE '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter' <<<"$found" || true
 exit "$status"
