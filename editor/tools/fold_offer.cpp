@@ -31,6 +31,9 @@ bool FoldOffer::isFor(const FoldedState& state) const {
 
 void FoldOffer::look(const Scope& scope, const FoldPlace& place) {
   const FoldedState& state = *scope.state;
+  selected_.clear();
+  for (const FacetId f : facetsOf(state, scope.selection))
+    selected_.push_back({f, interiorPointOf(state.pattern, f)});
   std::optional<Named> grabbed;
   if (place.grabbed) grabbed = Named{FacetName(state, place.grabbed->facet), place.grabbed->paper};
   source_ = Source{FacetName(state, place.line.facet),
@@ -71,14 +74,13 @@ void FoldOffer::lookAgain(const Scope& scope) {
 
 /// Selected facets that the line crosses are the layers.
 void FoldOffer::takeSelected(const Scope& scope, const FacetLine& line) {
-  const std::vector<FacetId> selected = facetsOf(*scope.state, scope.selection);
   const bool isOpen =
       layers_.mode() == LayerMode::Hand || (layers_.mode() == LayerMode::Chosen && isBySelection_);
-  if (selected.empty() || !isOpen) return;
+  if (selected_.empty() || !isOpen) return;
   std::vector<FacetId> crossed;
   for (const Crossed& c : crossedBy(*scope.state, line, {0, 1})) {
-    if (std::find(selected.begin(), selected.end(), c.facet) != selected.end())
-      crossed.push_back(c.facet);
+    const auto isIt = [&c](const Spot& spot) { return spot.facet == c.facet; };
+    if (std::any_of(selected_.begin(), selected_.end(), isIt)) crossed.push_back(c.facet);
   }
   isBySelection_ = !crossed.empty();
   layers_.setMode(LayerMode::Hand);
@@ -92,10 +94,10 @@ std::optional<bool> FoldOffer::sideBySelection(const Scope& scope, const PartedP
     const int side = facet ? paper.sideOf({*facet, points.back()}) : 0;
     if (side != 0) return side > 0;
   }
-  for (const FacetId f : facetsOf(*scope.state, scope.selection)) {
-    if (std::find(layers_.taken().begin(), layers_.taken().end(), f) != layers_.taken().end())
-      continue;
-    const int side = paper.sideOf({f, interiorPointOf(scope.state->pattern, f)});
+  const std::vector<FacetId>& taken = layers_.taken();
+  for (const Spot& spot : selected_) {
+    if (std::find(taken.begin(), taken.end(), spot.facet) != taken.end()) continue;
+    const int side = paper.sideOf(spot);
     if (side != 0) return side > 0;
   }
   return std::nullopt;
@@ -127,14 +129,12 @@ bool FoldOffer::chooseSide(const Scope& scope, const FoldPlace& place, const Par
   return smallerIsLeft(scope, place, paper) != isTurnedByHand_;
 }
 
-std::vector<Vec2> FoldOffer::selectedMovers(const Scope& scope, const Plan& plan,
-                                            const PartedPaper& paper) const {
+std::vector<Vec2> FoldOffer::selectedMovers(const Plan& plan, const PartedPaper& paper) const {
   std::vector<Vec2> movers;
-  for (const FacetId f : facetsOf(*scope.state, scope.selection)) {
-    const Vec2 inside = interiorPointOf(scope.state->pattern, f);
-    const bool isTaken = std::find(plan.taken.begin(), plan.taken.end(), f) != plan.taken.end();
-    if (!isTaken && paper.sideOf({f, inside}) == (plan.leftMoves ? 1 : -1))
-      movers.push_back(inside);
+  for (const Spot& spot : selected_) {
+    const bool isTaken =
+        std::find(plan.taken.begin(), plan.taken.end(), spot.facet) != plan.taken.end();
+    if (!isTaken && paper.sideOf(spot) == (plan.leftMoves ? 1 : -1)) movers.push_back(spot.paper);
   }
   return movers;
 }
@@ -176,7 +176,7 @@ std::optional<FoldOffer::Plan> FoldOffer::planFor(const Scope& scope, const Fold
     if (!place.isNew && !side_)
       side_ = Named{FacetName(state, reach.inside.facet), reach.inside.paper};
   }
-  const std::vector<Vec2> movers = selectedMovers(scope, plan, paper);
+  const std::vector<Vec2> movers = selectedMovers(plan, paper);
   if (!movers.empty()) plan.moving = MovingFacets{placesOf(movers)};
   for (const Crossed& c : crossedBy(state, place.line, stretch)) {
     if (std::find(plan.taken.begin(), plan.taken.end(), c.facet) == plan.taken.end()) continue;

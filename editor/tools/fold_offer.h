@@ -91,8 +91,7 @@ class FoldOffer {
   std::optional<bool> sideBySelection(const Scope& scope, const PartedPaper& paper) const;
   bool smallerIsLeft(const Scope& scope, const FoldPlace& place, const PartedPaper& paper);
   void takeSelected(const Scope& scope, const FacetLine& line);
-  std::vector<Vec2> selectedMovers(const Scope& scope, const Plan& plan,
-                                   const PartedPaper& paper) const;
+  std::vector<Vec2> selectedMovers(const Plan& plan, const PartedPaper& paper) const;
   bool isFor(const FoldedState& state) const;
   bool isTurned(const Scope& scope) const;
   void addLayerFields(std::vector<Field>& fields) const;
@@ -110,6 +109,7 @@ class FoldOffer {
   bool isBySelection_ = false;  ///< the layers are those selected
   std::optional<Source> source_;
   std::optional<Plan> plan_;
+  std::vector<Spot> selected_;  ///< facets, each with a place well inside; of the last look
 };
 
 }  // namespace kiri
