@@ -2,6 +2,10 @@
 #include "editor/document/thumbnails.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "core/paper/boxes.h"
 #include "render/canvas/rasterise.h"
@@ -16,6 +20,49 @@ constexpr double kMargin = 2 * kPixel;
 constexpr double kEdge = 1.1 * kPixel;
 constexpr double kCrease = 0.7 * kPixel;
 constexpr double kUsual = 96;  ///< pixels of a thumbnail on a plain screen
+
+/// The part of the paper that lines may cover: where facets are smaller than a few pixels, lines in
+/// full width would leave nothing but black.
+constexpr double kMostInk = 0.35;
+
+double areaOf(const std::vector<Loop>& loops) {
+  double twice = 0;
+  for (const Loop& loop : loops) {
+    for (const Arc& arc : loop) twice += cross(arc.start, arc.end);
+  }
+  return std::abs(twice) / 2;
+}
+
+double inkOf(const StrokeItem& lines) {
+  double length = 0;
+  for (const std::vector<Arc>& chain : lines.chains) {
+    for (const Arc& arc : chain) length += distance(arc.start, arc.end);
+  }
+  return length * lines.stroke.width;
+}
+
+/// The lines of an item; none when it is paper, or what closes the gaps between facets.
+StrokeItem* linesOf(Item& item) {
+  return item.kind == "seam" ? nullptr : std::get_if<StrokeItem>(&item.shape);
+}
+
+void spareInk(Scene& scene) {
+  double paper = 0;
+  double ink = 0;
+  for (Group& group : scene.groups) {
+    for (Item& item : group.items) {
+      if (const FillItem* fill = std::get_if<FillItem>(&item.shape)) paper += areaOf(fill->loops);
+      if (const StrokeItem* lines = linesOf(item)) ink += inkOf(*lines);
+    }
+  }
+  if (ink <= kMostInk * paper || paper <= 0) return;
+  const double part = kMostInk * paper / ink;
+  for (Group& group : scene.groups) {
+    for (Item& item : group.items) {
+      if (StrokeItem* lines = linesOf(item)) lines->stroke.width *= part;
+    }
+  }
+}
 
 Error cancelled() { return {ErrorCode::Cancelled, "the picture was stopped", {}}; }
 
@@ -35,9 +82,10 @@ Result<Image> thumbnailOf(const FoldedState& state, Appearance appearance, int p
   appearance.isShaded = true;
   appearance.edgeWidth = kEdge;
   appearance.creaseWidth = kCrease;
-  const Result<Scene> scene = modelScene(state, appearance, frontSpec(), options);
+  Result<Scene> scene = modelScene(state, appearance, frontSpec(), options);
   if (!scene) return scene.error();
   if (!goesOn(progress, 0.5)) return cancelled();
+  spareInk(*scene);
   return rasteriseTransparent(*scene, pixels, pixels);
 }
 

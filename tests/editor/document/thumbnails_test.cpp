@@ -72,6 +72,25 @@ TEST(Thumbnail, OfPaperThatStandsUprightIsNarrow) {
   EXPECT_LT(coverOf(image), 0.1);
 }
 
+TEST(Thumbnail, OfManyNarrowFacetsStillShowsTheirColours) {
+  std::string text = "square 100";
+  for (int x = 99; x > 0; --x) {
+    text += "; fold " + std::string(x % 2 == 0 ? "valley" : "mountain") + " 40 " +
+            std::to_string(x) + ",0 " + std::to_string(x) + ",100 right in 0.5,50";
+  }
+  const Image image = pictureOf(text.c_str(), 96);
+  double red = 0;
+  int covered = 0;
+  for (int x = 0; x < 96; ++x) {
+    const Pixel pixel = at(image, x, 48);
+    if (pixel.alpha == 0) continue;
+    ++covered;
+    red += pixel.red;
+  }
+  EXPECT_GT(covered, 80);
+  EXPECT_GT(red / covered, 80) << "not black with lines";
+}
+
 TEST(Thumbnail, CanBeStopped) {
   const Model model = twoColoured("square 100");
   const Result<Image> stopped =
