@@ -29,7 +29,8 @@ float brightnessOf(vec3 n) {
   const vec3 lamp = vec3(-0.42, 0.5, 0.757);
   float light = 0.5 + 0.5 * dot(n, lamp);
   float most = 0.5 + 0.5 * lamp.z;
-  return max(1.0 + 1.05 * (light - most) + 0.06 * n.y, 0.42);
+  float more = 1.1 * (light - most) + 0.06 * n.y;
+  return more > 0.0 ? 1.0 + 0.6 * more : 1.0 + more / (1.0 - 0.8 * more);
 }
 
 void main() {
@@ -95,7 +96,7 @@ void main() {
   }
   // Shade is a little cool; what is lit is brighter, and hardly paler.
   float dark = 1.0 - brightness;
-  c *= brightness + max(dark, 0.0) * vec3(-0.05, 0.0, 0.07);
+  c *= brightness + max(dark, 0.0) * vec3(-0.03, 0.0, 0.04);
   c = mix(c, vec3(1.0), 0.25 * max(-dark, 0.0));
   color = vec4(c, 1.0);
 }

@@ -13,6 +13,7 @@
 #include "render/gl/program.h"
 #include "render/gl/projection.h"
 #include "render/gl/shaders.h"
+#include "render/gl/table_shadow.h"
 #include "render/gl/textures.h"
 #include "render/scene/line_looks.h"
 
@@ -133,6 +134,25 @@ void bindTexture(GLenum unit, GLuint texture) {
   glBindTexture(GL_TEXTURE_2D, texture);
 }
 
+/// Lower than this the table is a line.
+bool seesTable(const ViewFrame& frame) {
+  constexpr double kLowest = 0.03;
+  return frame.toEye.z > kLowest;
+}
+
+/// What draw() promises to leave.
+void tidyUp() {
+  glDisable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ZERO);
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glBindVertexArray(0);
+  glUseProgram(0);
+  bindTexture(GL_TEXTURE2, 0);
+  bindTexture(GL_TEXTURE1, 0);
+  bindTexture(GL_TEXTURE0, 0);
+}
+
 std::string ownWords(GLenum what) {
   const GLubyte* words = glGetString(what);
   std::string out;
@@ -158,7 +178,8 @@ struct GlRenderer::Gpu {
         shades(header, kShadeVertexShader, kShadeFragmentShader, {"clip", "eye", "reach", "bias"}),
         lines(header, kLineVertexShader, kLineFragmentShader,
               {"clip", "eye", "halfSize", "pixelsPerMm", "bias", "flatSlope", "widths", "colors",
-               "dashes", "dashLengths", "lineScale"}) {}
+               "dashes", "dashLengths", "lineScale"}),
+        shadow(header) {}
 
   void drawPaper(const GlView& view) const;
   void drawShades(const GlView& view) const;
@@ -167,6 +188,7 @@ struct GlRenderer::Gpu {
   Program paper;
   Program shades;
   Program lines;
+  TableShadow shadow;
   MeshBuffers buffers;
   SideTexture front;
   SideTexture back;
@@ -256,6 +278,7 @@ void GlRenderer::setMesh(const PaperMesh& mesh) {
   gpu_->origin = mesh.origin;
   gpu_->facetCount = mesh.facetCount;
   gpu_->buffers.upload(mesh);
+  gpu_->shadow.setMesh(mesh);
 }
 
 void GlRenderer::setTints(const std::vector<TintColor>& tints) {
@@ -275,39 +298,37 @@ void GlRenderer::setAppearance(const Appearance& appearance) {
 }
 
 void GlRenderer::draw(const GlView& view) {
-  glViewport(0, 0, view.width, view.height);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
+  glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   if (epoxy_is_desktop_gl()) glDisable(GL_FRAMEBUFFER_SRGB);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
+  const bool hasShadow = view.hasShadow && seesTable(view.frame) && gpu_->facetCount > 0;
+  if (hasShadow) gpu_->shadow.prepare(gpu_->buffers);
+  glViewport(0, 0, view.width, view.height);
   const auto unit = [](std::uint8_t c) { return static_cast<float>(c) / 255; };
   glClearColor(unit(view.background.red), unit(view.background.green), unit(view.background.blue),
                1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (hasShadow) {
+    glEnable(GL_BLEND);
+    gpu_->shadow.draw(clipMatrix(view, gpu_->origin));
+    glDisable(GL_BLEND);
+  }
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  glDisable(GL_CULL_FACE);
   gpu_->drawPaper(view);
 
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (view.isShaded) gpu_->drawShades(view);
   gpu_->drawLines(view);
-
-  glDisable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ZERO);
-  glDisable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
-  glBindVertexArray(0);
-  glUseProgram(0);
-  bindTexture(GL_TEXTURE2, 0);
-  bindTexture(GL_TEXTURE1, 0);
-  bindTexture(GL_TEXTURE0, 0);
+  tidyUp();
 }
 
 std::string GlRenderer::description() const { return nameOfContext(); }

@@ -31,6 +31,7 @@ struct GlView {
   bool showsBorders = true;  ///< Border
   double gridSpacing = 0;    ///< mm on the paper, from its origin; 0: none
   bool isShaded = true;      ///< soft light
+  bool hasShadow = false;    ///< on a table under the model, for an eye above it
   double lineScale = 1;      ///< device pixels for a pixel of the window
 };
 

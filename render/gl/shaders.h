@@ -12,6 +12,10 @@ enum class ShadeAttribute : unsigned { From, To, Normal, Form };
 /// GLSL without the line that names the version.
 extern const char* const kPaperVertexShader;
 extern const char* const kPaperFragmentShader;
+extern const char* const kFallVertexShader;
+extern const char* const kFallFragmentShader;
+extern const char* const kTableVertexShader;
+extern const char* const kTableFragmentShader;
 extern const char* const kShadeVertexShader;
 extern const char* const kShadeFragmentShader;
 extern const char* const kLineVertexShader;
