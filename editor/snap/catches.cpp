@@ -42,13 +42,12 @@ class Collector {
   }
 
  private:
-  /// The catch with its pixels; true when it is near enough.
-  bool add(Catch found, double handicap) {
+  /// Gives the catch its pixels, and keeps it when it is near enough.
+  void add(Catch found, double handicap) {
     found.at = near_.map().toPixels(near_.state(), found.spot);
     found.pixels = distance(found.at, question_.pixels);
     found.handicap = handicap * radius_;
-    if (found.pixels <= radius_) out_.push_back(std::move(found));
-    return found.pixels <= radius_;
+    if (found.pixels <= radius_) out_.push_back(found);
   }
 
   void addVertex(FacetId facet, EdgeUse use) {
@@ -56,7 +55,7 @@ class Collector {
     found.kind = SnapKind::Vertex;
     found.vertex = startOf(pattern_, use);
     found.spot = {facet, pattern_[found.vertex]};
-    add(std::move(found), 0);
+    add(found, 0);
   }
 
   /// A point that divides a straight edge, counted in the edge's own direction.
@@ -74,7 +73,7 @@ class Collector {
     found.of = of / common;
     found.spot = {facet, lerp(pattern_[edge.from], pattern_[edge.to],
                               static_cast<double>(part) / static_cast<double>(of))};
-    add(std::move(found), of == 2 ? kOfMiddle : kOfDivision);
+    add(found, of == 2 ? kOfMiddle : kOfDivision);
   }
 
   void addEdges() {
@@ -100,7 +99,7 @@ class Collector {
     found.kind = SnapKind::Edge;
     found.edge = edge.use;
     found.spot = {edge.facet, paper};
-    add(std::move(found), kOfEdge);
+    add(found, kOfEdge);
   }
 
   /// Where edges of different facets of one plane cross. (Those of one facet meet at vertices.)
@@ -123,7 +122,7 @@ class Collector {
       found.edge = a.use;
       found.across = b;
       found.spot = {a.facet, pointAt(arc, meeting.t)};
-      add(std::move(found), kOfCrossing);
+      add(found, kOfCrossing);
     }
   }
 
@@ -145,7 +144,7 @@ class Collector {
       found.edge = edge.use;
       found.degrees = line.degrees;
       found.spot = {edge.facet, pointAt(arcOf(pattern_, edge.use), t)};
-      add(std::move(found), kOfDivision);
+      add(found, kOfDivision);
     }
   }
 

@@ -66,7 +66,7 @@ std::vector<Catch> catchesInPlane(const Neighbourhood& near, const SnapQuestion&
     found.at = near.map().toPixels(near.state(), found.spot);
     found.pixels = distance(found.at, question.pixels);
     found.handicap = handicap * settings.radius;
-    if (found.pixels <= settings.radius) out.push_back(std::move(found));
+    if (found.pixels <= settings.radius) out.push_back(found);
   };
   const Spot& free = question.free;
   if (const auto& line = question.direction) {
@@ -74,7 +74,7 @@ std::vector<Catch> catchesInPlane(const Neighbourhood& near, const SnapQuestion&
     found.kind = SnapKind::Angle;
     found.degrees = line->degrees;
     found.spot = {free.facet, line->from + line->along * dot(free.paper - line->from, line->along)};
-    add(std::move(found), kOfDirection);
+    add(found, kOfDirection);
   }
   if (settings.gridSpacing > 0) {
     const double mm = settings.gridSpacing;
@@ -82,7 +82,7 @@ std::vector<Catch> catchesInPlane(const Neighbourhood& near, const SnapQuestion&
     found.kind = SnapKind::Grid;
     found.spot = {free.facet,
                   {std::round(free.paper.x / mm) * mm, std::round(free.paper.y / mm) * mm}};
-    add(std::move(found), kOfGrid);
+    add(found, kOfGrid);
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const Catch& a, const Catch& b) { return a.score() < b.score(); });

@@ -47,7 +47,7 @@ void EdgesNear::add(FacetId facet, EdgeUse use, const SeenArc& part) {
   if (nearest.distance > reach) return;
   EdgeInView edge{facet, use, part, {}};
   edge.nearest = pointOf(edge, nearest.t);
-  edges_.push_back(std::move(edge));
+  edges_.push_back(edge);
 }
 
 EdgePoint EdgesNear::pointOf(const EdgeInView& edge, double t) const {
