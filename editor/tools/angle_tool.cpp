@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/text.h"
 #include "core/fold/fold_line.h"
 #include "editor/tools/drawn_line.h"
 #include "editor/tools/tool_fields.h"
@@ -204,10 +203,7 @@ void AngleTool::addDial(const Scope& scope, Marks& marks) const {
   const Spot at{dial.resting, chosen_->place};
   marks.push_back(DialMark{at, dial.axis, dial.flat, chosen_->amount, 40});
   marks.push_back(PointMark{chosen_->isHeld ? MarkRole::ActiveHandle : MarkRole::Handle, at});
-  marks.push_back(
-      TextMark{MarkRole::Measure,
-               at,
-               {KIRI_TEXT("editor/tools", "%1: %2°"), {chosen_->line, text(chosen_->amount)}}});
+  marks.push_back(TextMark{MarkRole::Measure, at, {"%1", {chosen_->line}}});
 }
 
 Marks AngleTool::marks(const Scope& scope) const {

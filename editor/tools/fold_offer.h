@@ -47,7 +47,7 @@ class FoldOffer {
   std::optional<FacetLine> segment(const FoldedState& state) const;
   /// Paper that must come along is not taken.
   bool hasMissing() const { return plan_ && !plan_->missing.empty(); }
-  /// V, M, Tab; true when the key meant something.
+  /// V, M, Tab, and K for the fan of layers; true when the key meant something.
   bool key(const KeyEvent& event, const Scope& scope);
   bool wheel(const WheelEvent& event, const Scope& scope);
   void addFields(const Scope& scope, std::vector<Field>& fields) const;

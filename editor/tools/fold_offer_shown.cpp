@@ -23,6 +23,10 @@ bool FoldOffer::key(const KeyEvent& event, const Scope& scope) {
     return true;
   }
   if (event.key != Key::Character) return false;
+  if (event.character == 'k') {
+    fan_.setOpen(!fan_.isOpen());
+    return true;
+  }
   if (event.character != 'v' && event.character != 'm') return false;
   setType(event.character == 'v' ? FoldType::Valley : FoldType::Mountain, scope);
   return true;
@@ -80,7 +84,7 @@ void FoldOffer::addLayerFields(std::vector<Field>& fields) const {
   }
   fields.push_back(switchField(
       "fan", {KIRI_TEXT("editor/tools", "Show layers"), {}}, fan_.isOpen(),
-      {KIRI_TEXT("editor/tools", "Fans the layers under the line out, to be picked by a click"),
+      {KIRI_TEXT("editor/tools", "Fans the layers under the line out, to be picked by a click (K)"),
        {}}));
 }
 

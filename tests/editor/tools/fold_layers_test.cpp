@@ -103,7 +103,8 @@ TEST(FoldLayers, AHiddenLayerIsPickedFromTheFan) {
                   "fold valley @model 30,-5 30,65 to m:45,30");
   ASSERT_EQ(hand.state().pattern.facets.size(), 3U);
   hand.drag({-10, 20}, {40, 20});
-  hand.set("fan", 1);
+  hand.key('k');
+  EXPECT_EQ(hand.field("fan").value, 1);
   const auto cards = [&] {
     std::vector<Vec2> places;
     for (const Mark& mark : hand.tool().marks(hand.scope())) {
