@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/tools/edge_walk.h"
+#include "editor/tools/tear_path.h"
 #include "editor/tools/tool.h"
 
 namespace kiri {
@@ -33,22 +33,15 @@ class TearTool final : public Tool {
   Reaction press(const PointerEvent& event, const Scope& scope);
   Reaction release(const PointerEvent& event, const Scope& scope);
   void follow(const PointerEvent& event, const Scope& scope);
-  void walkTo(const EdgeHit& hit, bool isAtVertex, VertexId vertex, const Scope& scope);
-  void take(const FoldedState& state, const HingeGraph& graph, std::vector<VertexId> way,
-            const EdgeHit& hit, bool isAtVertex);
+  bool isOnEnd(const PointerEvent& event, const Scope& scope) const;
   std::optional<Vec2> startUnder(const PointerEvent& event, const Scope& scope) const;
-  double lengthOfPath() const;
-  bool hasPath() const { return path_.size() > 1; }
   void markHinges(const FoldedState& state, Vec2 place, Marks& marks) const;
 
   Phase phase_ = Phase::Idle;
   Pane pane_ = Pane::Model;
   Vec2 pressedAt_;               ///< pixels
   std::optional<Vec2> hovered_;  ///< a vertex to start from, paper frame
-  std::vector<Vec2> anchors_;    ///< vertices that the pointer came to, paper frame
-  std::vector<Vec2> path_;       ///< paper frame
-  std::vector<Vec2> besides_;    ///< well inside a facet beside each edge of the path
-  Vec2 farEnd_;                  ///< of the edge in which the path ends
+  TearPath path_;
   bool isOneLayer_ = false;
   bool hasAlt_ = false;
 };

@@ -85,6 +85,24 @@ TEST(TearTool, EndsInsideAnEdgeWhereTheHandLetsGo) {
   EXPECT_EQ(edgeCount(hand.state(), EdgeKind::Hinge), 1U);
 }
 
+TEST(TearTool, TheEndOfATearCanBeTakenUpAgain) {
+  ToolDriver hand(ToolId::Tear, kCross);
+  hand.snaps.isOn = false;
+  hand.drag({50, 0}, {50, 30});
+  hand.drag({50, 30}, {50, 40});
+  EXPECT_NEAR(hand.field("length").value, 40, 1e-6);
+  hand.drag({50, 40}, {50, 50});
+  hand.drag({50, 50}, {80, 50});
+  EXPECT_NEAR(hand.field("length").value, 80, 1e-6);
+  EXPECT_EQ(tearOf(hand.step()).path.points.size(), 3U);
+  hand.held.alt = true;
+  EXPECT_FALSE(hand.press({20, 20}).isHandled);  // that is for the eye
+  hand.held.alt = false;
+  EXPECT_TRUE(std::holds_alternative<AllLayers>(tearOf(hand.step()).layers));
+  hand.drag({80, 50}, {50, 20});
+  EXPECT_NEAR(hand.field("length").value, 20, 1e-6);
+}
+
 TEST(TearTool, TurnsCornersAndGoesBackWithTheHand) {
   ToolDriver hand(ToolId::Tear, kCross);
   hand.hover({50, 0});
