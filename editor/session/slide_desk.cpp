@@ -21,8 +21,8 @@ void SlideDesk::beginAll(std::shared_ptr<const FoldedState> from, Sequence seque
   const auto found = std::make_shared<std::optional<Result<AllSlider>>>();
   Task task;
   task.what = {KIRI_TEXT("editor/session", "Finding the way"), {}};
-  task.work = [start = from_, sequence, found](const Progress&) {
-    found->emplace(AllSlider::prepare(*start, sequence));
+  task.work = [start = from_, sequence, found](const Progress& progress) {
+    found->emplace(AllSlider::prepare(*start, sequence, progress));
   };
   task.done = [this, found] {
     if (!found->has_value()) return;

@@ -17,7 +17,7 @@ struct Autosave::Desk {
   std::uint64_t age = 0;  ///< counts up when what was asked for before is not wanted any more
 
   /// The journal is made when there is something to write for the first time.
-  Status write(const Model& model, std::size_t cursor, const std::string& path,
+  Status write(const Model& model, std::size_t count, const std::string& path,
                std::uint64_t askedAt) {
     const std::lock_guard lock(mutex);
     if (askedAt != age) return std::monostate{};
@@ -26,7 +26,7 @@ struct Autosave::Desk {
       if (!opened.isOk()) return opened.error();
       journal.emplace(std::move(*opened));
     }
-    return journal->note(model, cursor, path);
+    return journal->note(model, count, path);
   }
   Status clear(std::uint64_t askedAt) {
     const std::lock_guard lock(mutex);
@@ -59,8 +59,8 @@ void Autosave::write(const Document& document) {
   auto outcome = std::make_shared<std::optional<Error>>();
   Task task;
   task.work = [desk = desk_, outcome, isModified = document.isModified(), model = document.model(),
-               cursor = document.cursor(), path = document.path(), age = age_](const Progress&) {
-    const Status status = isModified ? desk->write(model, cursor, path, age) : desk->clear(age);
+               count = document.count(), path = document.path(), age = age_](const Progress&) {
+    const Status status = isModified ? desk->write(model, count, path, age) : desk->clear(age);
     if (!status.isOk()) *outcome = status.error();
   };
   task.done = [this, outcome] {

@@ -90,6 +90,18 @@ TEST_F(AutosaveTest, ManyQuickStepsEndWithTheNewest) {
   EXPECT_EQ(left[0].model.steps.size(), 20U);
 }
 
+TEST_F(AutosaveTest, LookingAtAnEarlierStepTakesNoneOutOfForce) {
+  Autosave autosave(runner_, folder());
+  Document doc = changed(document("square 100"), "fold valley 50,0 50,100 left");
+  doc = changed(std::move(doc), "turn");
+  doc.jumpTo(1);
+  autosave.note(doc);
+  settle();
+  const std::vector<Recovered> left = whatAKillWouldLeave();
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].count, 2U);
+}
+
 TEST_F(AutosaveTest, SavingAndClosingInOrderLeaveNothing) {
   Autosave autosave(runner_, folder());
   Document doc = changed(document("square 100"), "fold valley 50,0 50,100 left");
