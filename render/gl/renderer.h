@@ -59,10 +59,11 @@ class GlRenderer {
   /// of the view), their style. What GlView says too is not looked at.
   void setAppearance(const Appearance& appearance);
 
-  /// Clears the framebuffer and draws. Needs a depth buffer; looks best with 4 samples. Leaves the
-  /// context as it is at first in what it changes (depth test, blending, masks, scissor
-  /// test, program, vertex array, buffers and textures of units 0 to 2, unit 0 active), but for the
-  /// viewport, the clear colour, culling, and the sRGB conversion of the framebuffer, which is off.
+  /// Clears the framebuffer and draws. Needs a depth buffer, depth range and clear depth as in a
+  /// new context; looks best with 4 samples. Leaves the context as it is at first in what it
+  /// changes (depth test, blending, masks, scissor test, program, vertex array, buffers and
+  /// textures of units 0 to 2, unit 0 active), but for the viewport, the clear colour, culling, and
+  /// the sRGB conversion of the framebuffer, which is off.
   void draw(const GlView& view);
 
   /// What draws: "OpenGL 4.5, llvmpipe".

@@ -29,11 +29,10 @@ void HingeLines::notePaper(const MeshSide& side, const BoundaryPiece& piece) {
 }
 
 void HingeLines::add(const MeshSide& side, const BoundaryPiece& piece, const Points& points,
-                     const MeshSegment& segment, MeshBuilder& builder,
+                     const MeshSegment& segment, const MeshBuilder& builder,
                      std::vector<MeshSegment>& lines) {
   const std::vector<double> breaks = breaks_.within(piece.edge, piece.from, piece.to);
   const FacetId other = across(state_.pattern[piece.edge], side.facet);
-  const Vec3 front = state_.poseOf(other).normal();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double low = i == 0 ? 0 : breaks[i - 1];
     const double high = i < breaks.size() ? breaks[i] : 1;
@@ -41,11 +40,10 @@ void HingeLines::add(const MeshSide& side, const BoundaryPiece& piece, const Poi
     if (place.line != kNoLine) {
       place.hasOther = true;
       lines[place.line].otherNormal = segment.normal;
-      builder.addValley(lines[place.line]);
       continue;
     }
-    place.beyond = floats(side.showsFront ? front : -front);
     place.line = builder.addLine(side, {points[i], points[i + 1]}, segment, lines);
+    lines[place.line].otherFacet = other.index;
     lines[place.line].isFromJoined = i > 0;
     lines[place.line].isToJoined = i + 2 < points.size();
   }
@@ -54,8 +52,12 @@ void HingeLines::add(const MeshSide& side, const BoundaryPiece& piece, const Poi
 void HingeLines::settle(std::vector<MeshSegment>& lines) const {
   for (const Place& place : places_) {
     if (place.line == kNoLine || place.hasOther) continue;
-    lines[place.line].otherNormal = place.beyond;
-    lines[place.line].isCovered = true;
+    MeshSegment& line = lines[place.line];
+    // The same side of the paper, on the other facet.
+    const double side = dot(asVec(line.normal), state_.poses[line.facet].normal());
+    const Vec3 front = state_.poses[line.otherFacet].normal();
+    line.otherNormal = floats(side > 0 ? front : -front);
+    line.isCovered = true;
   }
 }
 

@@ -25,7 +25,7 @@ class HingeLines {
   /// Draws the hinge along `piece`, whose points are `points`; or completes the line that the other
   /// plane has drawn.
   void add(const MeshSide& side, const BoundaryPiece& piece, const Points& points,
-           const MeshSegment& segment, MeshBuilder& builder, std::vector<MeshSegment>& lines);
+           const MeshSegment& segment, const MeshBuilder& builder, std::vector<MeshSegment>& lines);
 
   /// Once all planes are there: marks the lines whose other facet is covered.
   void settle(std::vector<MeshSegment>& lines) const;
@@ -35,8 +35,7 @@ class HingeLines {
   /// An interval of a hinge on one side of the paper.
   struct Place {
     std::size_t line = kNoLine;
-    bool hasOther = false;        ///< the visible part of the other facet reaches it, too
-    std::array<float, 3> beyond;  ///< normal of the other facet's paper
+    bool hasOther = false;  ///< the visible part of the other facet reaches it, too
   };
 
   Place& placeAt(const MeshSide& side, const BoundaryPiece& piece, double part);

@@ -34,10 +34,6 @@ int windingOf(const Points& loop, Vec2 p) {
   return winding;
 }
 
-Vec3 asVec(const std::array<float, 3>& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
 Loop asLoop(const Points& points) {
   Loop loop;
   loop.reserve(points.size());
@@ -63,6 +59,10 @@ bool isConvex(const Points& points) {
 }
 
 }  // namespace
+
+Vec3 asVec(const std::array<float, 3>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
 
 std::array<float, 3> floats(Vec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -160,20 +160,26 @@ void MeshBuilder::addShades(const MeshSide& side, const Points& points) {
     behind -= own;
     const std::array<float, 3> to = placeOf(side, points[i + 1]);
     mesh_.shades.push_back({from, to, floats(side.frame.toEye), static_cast<float>(before),
-                            static_cast<float>(behind), kBesideALayer});
+                            static_cast<float>(behind), kBesideALayer, side.facet.index, false});
     from = to;
     before += own;
   }
 }
 
-void MeshBuilder::addValley(const MeshSegment& hinge) {
-  const Vec3 run = asVec(hinge.to) - asVec(hinge.from);
-  const Vec3 left = asVec(hinge.normal);
-  const Vec3 right = asVec(hinge.otherNormal);
-  if (dot(cross(right, -run), left) <= 0) return;  // a mountain
-  const auto strength = static_cast<float>((1 - dot(left, right)) / 2);
-  mesh_.shades.push_back({hinge.from, hinge.to, hinge.normal, 0, 0, strength});
-  mesh_.shades.push_back({hinge.to, hinge.from, hinge.otherNormal, 0, 0, strength});
+void MeshBuilder::addValleys(const std::vector<MeshSegment>& lines) {
+  for (const MeshSegment& line : lines) {
+    const Vec3 run = asVec(line.to) - asVec(line.from);
+    const Vec3 left = asVec(line.normal);
+    const Vec3 right = asVec(line.otherNormal);
+    // The paper on the right rises above the plane of that on the left. Within one plane it does
+    // not, but for rounding.
+    const double rise = dot(cross(right, -run), left);
+    if (line.isCovered || rise <= kSamePlane * length(run)) continue;
+    const auto strength = static_cast<float>((1 - dot(left, right)) / 2);
+    mesh_.shades.push_back({line.from, line.to, line.normal, 0, 0, strength, line.facet, true});
+    mesh_.shades.push_back(
+        {line.to, line.from, line.otherNormal, 0, 0, strength, line.otherFacet, true});
+  }
 }
 
 std::size_t MeshBuilder::addLine(const MeshSide& side, const Points& points, MeshSegment first,

@@ -37,12 +37,13 @@ class MeshBuilder {
 
   /// Less light along the chain, on the paper to its left.
   void addShades(const MeshSide& side, const Points& points);
-  /// Less light on the paper on both sides of a hinge that is complete, if it is a valley.
-  void addValley(const MeshSegment& hinge);
+  /// Less light on the paper on both sides of those hinges among the lines that are valleys.
+  void addValleys(const std::vector<MeshSegment>& lines);
 
- private:
   /// Points of two planes that are the same but for rounding become the same floats.
   std::array<float, 3> rounded(Vec3 place) const;
+
+ private:
   std::array<float, 3> placeOf(const MeshSide& side, Vec2 p) const;
   void addRegion(const MeshSide& side, const Points& border,
                  const std::vector<const Points*>& holes);
@@ -54,5 +55,6 @@ class MeshBuilder {
 };
 
 std::array<float, 3> floats(Vec3 v);
+Vec3 asVec(const std::array<float, 3>& v);
 
 }  // namespace kiri

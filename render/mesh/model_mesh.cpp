@@ -54,6 +54,7 @@ class ModelMesh {
     hinges_.settle(edges_);
     mesh_.segments = std::move(creases_);
     mesh_.segments.insert(mesh_.segments.end(), edges_.begin(), edges_.end());
+    builder_.addValleys(mesh_.segments);
     return std::move(mesh_);
   }
 
@@ -125,9 +126,12 @@ class ModelMesh {
     if (!piece.isSilhouette() && piece.beyond < side.facet) return;
     MeshSegment segment;
     segment.normal = floats(side.frame.toEye);
-    segment.facet = side.facet.index;
+    segment.facet = segment.otherFacet = side.facet.index;
     segment.kind = kindOf(side.facet, piece);
-    if (!piece.isSilhouette()) segment.otherNormal = segment.normal;
+    if (!piece.isSilhouette()) {
+      segment.otherNormal = segment.normal;
+      segment.otherFacet = piece.beyond.index;
+    }
     const bool isCrease = segment.kind == MeshLine::Crease;
     if (piece.isSilhouette() && isHinge) {
       hinges_.add(side, piece, points, segment, builder_, edges_);
@@ -140,7 +144,7 @@ class ModelMesh {
     for (const SlitPiece& piece : visibleSlits(state_, part, side.frame)) {
       MeshSegment segment;
       segment.normal = segment.otherNormal = floats(side.frame.toEye);
-      segment.facet = side.facet.index;
+      segment.facet = segment.otherFacet = side.facet.index;
       segment.kind = MeshLine::Border;
       builder_.addLine(side, flattened(piece.arc, {}, chordError_), segment, edges_);
     }

@@ -40,6 +40,7 @@ struct MeshSegment {
   std::array<float, 3> otherNormal = {};  ///< zero: there is no paper on the right
   float along = 0;                        ///< mm from where the line begins to `from`, for dashes
   std::uint32_t facet = 0;
+  std::uint32_t otherFacet = 0;  ///< whose paper `otherNormal` belongs to
   MeshLine kind = MeshLine::Edge;
   bool isThin = false;        ///< on the sheet: a hinge that lies flat now
   bool isFromJoined = false;  ///< the line goes on before `from`, almost straight
@@ -58,6 +59,8 @@ struct MeshShade {
   float before = 0;    ///< mm of the same line before `from`
   float behind = 0;    ///< and behind `to`
   float strength = 1;  ///< 1: the most
+  std::uint32_t facet = 0;
+  bool isValley = false;  ///< the bottom of a valley
 };
 
 /// Visible parts of each plane from both sides (planeRegions): the triangles of a side wind
@@ -71,7 +74,7 @@ struct PaperMesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> triangles;  ///< three indices each
   std::vector<MeshSegment> segments;     ///< in the order in which they are drawn: creases first
-  std::vector<MeshShade> shades;
+  std::vector<MeshShade> shades;         ///< valleys last
   std::uint32_t facetCount = 0;
 };
 

@@ -100,6 +100,7 @@ class SheetMesh {
       if (!hasLeft) std::reverse(line.begin(), line.end());
       const MeshSide side = sideOf(hasLeft ? left : right, showsFront);
       segment.facet = side.facet.index;
+      segment.otherFacet = left.isValid() && right.isValid() ? right.index : segment.facet;
       segment.kind = showsFront ? kind : turnedOver(kind);
       segment.normal = floats(side.frame.toEye);
       segment.otherNormal =

@@ -7,9 +7,12 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/geometry/rigid.h"
 #include "render/gl/renderer.h"
+#include "render/mesh/moved_mesh.h"
 #include "render/mesh/paper_mesh.h"
 #include "render/scene/view_spec.h"
 #include "tests/render/gl/headless_gl.h"
@@ -28,6 +31,22 @@ const FoldedState& folded(std::size_t n) {
 void meshOfState(benchmark::State& run) {
   const FoldedState& state = folded(static_cast<std::size_t>(run.range(0)));
   for (auto _ : run) benchmark::DoNotOptimize(meshOf(state));
+  run.counters["facets"] = static_cast<double>(state.pattern.facets.size());
+}
+
+/// What a slider costs while its fold lines stay in planes of their own: here, while all of it
+/// turns.
+void movedMeshOfState(benchmark::State& run) {
+  const FoldedState& state = folded(static_cast<std::size_t>(run.range(0)));
+  const PaperMesh base = meshOf(state);
+  FoldedState turned = state;
+  const Rigid turn = rotationAbout({}, {1, 0, 0}, 20);
+  for (Rigid& pose : turned.poses) pose = compose(turn, pose);
+  std::vector<LayerSet> sets = turned.layers.sets();
+  for (LayerSet& set : sets) set.normal = turn.direction(set.normal);
+  turned.layers = LayerOrder(std::move(sets));
+  if (!movedMesh(base, state, turned)) return run.SkipWithError("not only poses differ");
+  for (auto _ : run) benchmark::DoNotOptimize(movedMesh(base, state, turned));
   run.counters["facets"] = static_cast<double>(state.pattern.facets.size());
 }
 
@@ -96,6 +115,7 @@ void frame(benchmark::State& run, bool hasLines, bool isNew) {
 }
 
 BENCHMARK(meshOfState)->Arg(32)->Arg(256)->Unit(benchmark::kMillisecond);
+BENCHMARK(movedMeshOfState)->Arg(32)->Arg(256)->Unit(benchmark::kMillisecond);
 BENCHMARK(sheetMesh)->Arg(32)->Arg(256)->Unit(benchmark::kMillisecond);
 BENCHMARK(setMesh)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(frame, paper, false, false)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -8,10 +8,12 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "render/mesh/moved_mesh.h"
 #include "render/visibility/plane_regions.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
@@ -219,6 +221,82 @@ TEST(PaperMesh, StopsWhenNobodyWantsItAnyMore) {
   const PaperMesh mesh = meshOf(state, [&](double) { return ++asked < 2; });
   EXPECT_TRUE(mesh.vertices.empty());
   EXPECT_EQ(asked, 2);
+}
+
+double strengthOf(const PaperMesh& mesh) {
+  double sum = 0;
+  for (const MeshShade& s : mesh.shades) {
+    const double own = distance(vec(s.from), vec(s.to));
+    sum += own * static_cast<double>(s.strength);
+  }
+  return sum;
+}
+
+/// The same lines: of each kind as many, as long, and turned the same way.
+void expectSameLines(const PaperMesh& got, const PaperMesh& expected) {
+  const auto sums = [](const PaperMesh& mesh) {
+    std::map<std::pair<MeshLine, bool>, std::array<double, 4>> out;
+    for (const MeshSegment& s : mesh.segments) {
+      const Vec3 middle = mesh.origin + (vec(s.from) + vec(s.to)) / 2;
+      std::array<double, 4>& sum = out[{s.kind, s.isCovered}];
+      sum[0] += 1;
+      sum[1] += distance(vec(s.from), vec(s.to));
+      sum[2] += dot(vec(s.normal) + vec(s.otherNormal), middle);
+      sum[3] += dot(vec(s.normal), vec(s.otherNormal));
+    }
+    return out;
+  };
+  const auto a = sums(got);
+  const auto b = sums(expected);
+  ASSERT_EQ(a.size(), b.size());
+  for (const auto& [kind, sum] : a) {
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(sum[i], b.at(kind)[i], 0.05) << i;
+  }
+}
+
+TEST(MovedMesh, IsTheMeshOfTheMovedState) {
+  int moved = 0;
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    Random random(seed * 2221);
+    const FoldedState before = randomState(random);
+    if (before.lines.empty()) continue;
+    const std::string& name = before.lines[random.below(before.lines.size())].name;
+    const std::string angle = std::to_string(random.between(-175, 175));
+    const Result<FoldedState> after = tryAfter(before, "angle " + name + " " + angle);
+    if (!after) continue;
+    const std::optional<PaperMesh> got = movedMesh(meshOf(before), before, *after);
+    if (got) {
+      const PaperMesh expected = meshOf(*after);
+      expectNumbersValid(*got, *after);
+      expectOnPaper(*got, *after);
+      expectWindings(*got);
+      expectAreas(*got, *after);
+      expectSameLines(*got, expected);
+      EXPECT_NEAR(strengthOf(*got), strengthOf(expected), 0.01);
+    } else {
+      EXPECT_NE(before.layers.sets().size(), 0U);
+      ++refused;
+    }
+    moved += got ? 1 : 0;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(moved, 12);
+  EXPECT_GT(refused, 0);
+}
+
+TEST(MovedMesh, FollowsASliderButNotIntoAnotherPlane) {
+  const std::string folded =
+      "square 100; fold a valley 90 0,50 100,50 right; fold b valley 40 0,80 100,80 left";
+  const FoldedState base = run(folded);
+  const PaperMesh mesh = meshOf(base);
+  for (const char* angle : {"10", "89.5", "170", "-60"}) {
+    EXPECT_TRUE(movedMesh(mesh, base, after(base, std::string("angle a ") + angle))) << angle;
+  }
+  EXPECT_FALSE(movedMesh(mesh, base, after(base, "angle a 180")));
+  EXPECT_FALSE(movedMesh(mesh, base, after(base, "angle a 0")));
+  EXPECT_FALSE(movedMesh(mesh, base, after(base, "fold c valley 30 0,80 20,100 right")));
 }
 
 std::map<MeshLine, int> linesOf(const PaperMesh& mesh) {
