@@ -2,7 +2,6 @@
 #include "editor/tools/layer_fan.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "editor/tools/tool_marks.h"
 #include "editor/view/picking.h"
@@ -12,9 +11,12 @@ namespace {
 
 // Pixels: half the size of a card, from one to the next, and from the line to the first.
 constexpr double kHalf = 11;
-constexpr Vec2 kNext{10, -26};
+constexpr Vec2 kNext{0, -36};
 constexpr Vec2 kFirst{36, -12};
 constexpr std::size_t kMostCards = 16;
+// The number stands to the upper right of its card, and belongs to it.
+constexpr Vec2 kNumber{42, -24};
+constexpr double kRim = 30;
 
 }  // namespace
 
@@ -29,8 +31,16 @@ std::vector<LayerFan::Card> LayerFan::cards(const Scope& scope, const FacetLine&
   for (const PaperPick& pick : pickStack(state, scope.model, onModel)) {
     if (cards.size() >= kMostCards) break;
     if (!state.layers.areCoplanar(pick.spot.facet, line.facet)) continue;
-    const auto number = static_cast<double>(cards.size());
-    cards.push_back({pick.spot.facet, middle + kFirst + kNext * number});
+    cards.push_back({pick.spot.facet, {}});
+  }
+  // The column stays in the pane.
+  const double height = kNext.y * (1 - static_cast<double>(cards.size()));
+  Vec2 first = middle + kFirst;
+  if (first.x + kNumber.x > map.size.x) first.x = middle.x - kFirst.x - kNumber.x;
+  first.y = std::min(std::max(first.y, height + kRim), map.size.y - kRim);
+  for (Card& card : cards) {
+    card.at = first;
+    first = first + kNext;
   }
   return cards;
 }
@@ -40,7 +50,9 @@ std::optional<FacetId> LayerFan::cardUnder(const PointerEvent& event, const Scop
   if (!isOpen_ || event.pane != pane) return std::nullopt;
   for (const Card& card : cards(scope, line, pane)) {
     const Vec2 away = event.at - card.at;
-    if (std::max(std::abs(away.x), std::abs(away.y)) <= kHalf) return card.facet;
+    const bool isOver =
+        away.x >= -kHalf && away.x <= kNumber.x && away.y >= kNumber.y && away.y <= kHalf;
+    if (isOver) return card.facet;
   }
   return std::nullopt;
 }
