@@ -169,6 +169,7 @@ bool CurveHand::follow(const PointerEvent& event, const Scope& scope) {
     case PointerAction::Leave:
       next_.reset();
       hovered_.reset();
+      if (!isMoving()) caught_.clear();
       return false;
     case PointerAction::DoubleClick:
       if (event.pane != pane_ || event.button != PointerButton::Left) return false;
@@ -270,6 +271,8 @@ void CurveHand::finish(const Scope& scope) {
   const double near = scope.state->tolerance().pick();
   const auto isSame = [&](Vec2 a, Vec2 b) { return distance(a, b) <= near; };
   controls_.erase(std::unique(controls_.begin(), controls_.end(), isSame), controls_.end());
+  isStroke_ = false;
+  stroke_.clear();
   held_.reset();
   hovered_.reset();
   next_.reset();
