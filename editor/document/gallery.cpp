@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kEnding = ".kiri";
+constexpr const char* kModelEnding = ".kiri";
 
 Result<Model> modelIn(const std::string& file) {
   const Result<std::string> text = readFile(file);
@@ -47,7 +47,7 @@ std::vector<GalleryEntry> galleryOf(const std::string& folder) {
   std::vector<GalleryEntry> entries;
   std::error_code error;
   for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
-    if (file.path().extension() == kEnding) entries.push_back(entryOf(file.path()));
+    if (file.path().extension() == kModelEnding) entries.push_back(entryOf(file.path()));
   }
   std::sort(entries.begin(), entries.end(), [](const GalleryEntry& a, const GalleryEntry& b) {
     const bool isBad = a.error.has_value();

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
+#include <string>
 
 #include "render/canvas/cairo_canvas.h"
+#include "render/canvas/cairo_handles.h"
 #include "render/canvas/number_text.h"
 #include "render/canvas/page_check.h"
 #include "render/canvas/png.h"
@@ -18,13 +19,6 @@ namespace kiri {
 namespace {
 
 constexpr double kInch = 25.4;  // mm
-
-struct Destroy {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* cr) const { cairo_destroy(cr); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Destroy>;
-using Context = std::unique_ptr<cairo_t, Destroy>;
 
 cairo_status_t appendBytes(void* closure, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
@@ -75,13 +69,13 @@ Result<std::string> writePdf(const Scene& scene) {
   constexpr double kPoints = 72 / kInch;  // in a mm
   std::string bytes;
   {
-    const Surface surface(cairo_pdf_surface_create_for_stream(
+    const CairoSurface surface(cairo_pdf_surface_create_for_stream(
         appendBytes, &bytes, scene.width * kPoints, scene.height * kPoints));
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, scene.title.c_str());
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "KiriSim");
     // Without a date: the same scene gives the same bytes.
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
-    const Context cr(cairo_create(surface.get()));
+    const CairoContext cr(cairo_create(surface.get()));
     cairo_scale(cr.get(), kPoints, kPoints);
     drawScene(cr.get(), scene, 0);
     cairo_show_page(cr.get());
@@ -108,11 +102,11 @@ Result<std::string> writePng(const Scene& scene, const PngOptions& options) {
   }
   const int width = std::max(1, static_cast<int>(std::ceil(scene.width * perMm)));
   const int height = std::max(1, static_cast<int>(std::ceil(scene.height * perMm)));
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
     return failure("PNG", cairo_surface_status(surface.get()));
   }
-  const Context cr(cairo_create(surface.get()));
+  const CairoContext cr(cairo_create(surface.get()));
   cairo_scale(cr.get(), perMm, perMm);
   constexpr double kSeamPixels = 3;
   drawScene(cr.get(), scene, kSeamPixels / perMm);

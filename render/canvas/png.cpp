@@ -28,8 +28,8 @@ std::uint32_t crcOf(const std::string& bytes) {
 
 /// The chunk that says how many pixels make a metre.
 std::string resolutionChunk(double dpi) {
-  constexpr double kInch = 0.0254;
-  const auto perMetre = static_cast<std::uint32_t>(std::round(dpi / kInch));
+  constexpr double kInchInMetres = 0.0254;
+  const auto perMetre = static_cast<std::uint32_t>(std::round(dpi / kInchInMetres));
   std::string content = "pHYs";
   appendBigEndian(content, perMetre);
   appendBigEndian(content, perMetre);

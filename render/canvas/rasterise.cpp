@@ -7,20 +7,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "render/canvas/cairo_canvas.h"
+#include "render/canvas/cairo_handles.h"
 #include "render/canvas/page_check.h"
 
 namespace kiri {
 namespace {
-
-struct Destroy {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* cr) const { cairo_destroy(cr); }
-};
 
 std::uint8_t byteOf(std::uint32_t word, int shift) {
   return static_cast<std::uint8_t>(word >> shift & 0xFF);
@@ -72,9 +67,9 @@ Result<Image> drawn(const Scene& scene, int width, int height, const std::option
                      " pixels cannot be made; give 1 to 16384 on a side",
                  {}};
   }
-  const std::unique_ptr<cairo_surface_t, Destroy> surface(
+  const CairoSurface surface(
       cairo_image_surface_create(ground ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width, height));
-  const std::unique_ptr<cairo_t, Destroy> cr(cairo_create(surface.get()));
+  const CairoContext cr(cairo_create(surface.get()));
   const double perMm = std::min(width / scene.width, height / scene.height);
   if (ground) paintGround(cr.get(), *ground);
   cairo_translate(cr.get(), (width - scene.width * perMm) / 2, (height - scene.height * perMm) / 2);

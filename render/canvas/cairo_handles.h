@@ -1,0 +1,18 @@
+// Owners of what cairo makes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cairo.h>
+
+#include <memory>
+
+namespace kiri {
+
+struct CairoDestroy {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* cr) const { cairo_destroy(cr); }
+};
+using CairoSurface = std::unique_ptr<cairo_surface_t, CairoDestroy>;
+using CairoContext = std::unique_ptr<cairo_t, CairoDestroy>;
+
+}  // namespace kiri
