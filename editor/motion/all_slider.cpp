@@ -12,21 +12,6 @@ namespace kiri {
 
 namespace {
 
-/// From the state of the drag to one of the ends.
-struct Way {
-  std::shared_ptr<const FoldedState> end;  ///< none: it cannot be reached
-  std::optional<Error> why;
-  Movements movements;
-  double degrees = 0;  ///< 0: the state is at this end
-};
-
-std::shared_ptr<const FoldedState> stateAt(const Way& way, const FoldedState& start, double part) {
-  const bool isThere = part >= 1 && way.end != nullptr;
-  if (isThere) return way.end;
-  if (way.movements.empty() || part <= 0) return std::make_shared<const FoldedState>(start);
-  return std::make_shared<const FoldedState>(stateAlong(way.movements, part));
-}
-
 /// The most that a hinge has to turn.
 double turnTo(const FoldedState& from, const FoldedState& to) {
   double most = 0;
@@ -39,17 +24,33 @@ bool isStopped(const Result<FoldedState>& end) {
   return !end && end.error().code == ErrorCode::Cancelled;
 }
 
-Way wayTo(const FoldedState& state, Result<FoldedState> end, Movements movements) {
-  if (!end) return {nullptr, end.error(), {}, 0};
-  Way way{nullptr, std::nullopt, std::move(movements), 0};
-  way.degrees = way.movements.empty() ? turnTo(state, *end) : degreesOf(way.movements);
-  way.end = std::make_shared<const FoldedState>(std::move(*end));
-  return way;
-}
-
 }  // namespace
 
 struct AllSlider::Ways {
+  /// From the state of the drag to one of the ends.
+  struct Way {
+    Way(const FoldedState& state, Result<FoldedState> reached, Movements made)
+        : movements(std::move(made)) {
+      if (!reached) {
+        why = reached.error();
+        return;
+      }
+      degrees = movements.empty() ? turnTo(state, *reached) : degreesOf(movements);
+      end = std::make_shared<const FoldedState>(std::move(*reached));
+    }
+
+    std::shared_ptr<const FoldedState> at(const FoldedState& start, double part) const {
+      if (part >= 1 && end != nullptr) return end;
+      if (movements.empty() || part <= 0) return std::make_shared<const FoldedState>(start);
+      return std::make_shared<const FoldedState>(stateAlong(movements, part));
+    }
+
+    std::shared_ptr<const FoldedState> end;  ///< none: it cannot be reached
+    std::optional<Error> why;
+    Movements movements;
+    double degrees = 0;  ///< 0: the state is at this end
+  };
+
   FoldedState start;
   Sequence sequence;
   Way opening;
@@ -77,8 +78,11 @@ Result<AllSlider> AllSlider::prepare(const FoldedState& state, Sequence sequence
   Result<FoldedState> closed = refoldLines(state, lines, motion, &closing, half(0.5));
   if (isStopped(closed) || (!open && !closed))
     return isStopped(closed) ? closed.error() : open.error();
-  Ways ways{state, sequence, wayTo(state, std::move(open), std::move(opening)),
-            wayTo(state, std::move(closed), std::move(closing)), 0};
+  Ways ways{state,
+            sequence,
+            {state, std::move(open), std::move(opening)},
+            {state, std::move(closed), std::move(closing)},
+            0};
   const double all = ways.opening.degrees + ways.closing.degrees;
   if (all > 0) ways.openness = ways.closing.degrees / all;
   return AllSlider(std::make_shared<const Ways>(std::move(ways)));
@@ -90,8 +94,8 @@ const std::optional<Error>& AllSlider::whyNotFolded() const { return ways_->clos
 
 std::shared_ptr<const FoldedState> AllSlider::at(double openness) const {
   const double here = ways_->openness;
-  if (openness > here) return stateAt(ways_->opening, ways_->start, (openness - here) / (1 - here));
-  if (openness < here) return stateAt(ways_->closing, ways_->start, (here - openness) / here);
+  if (openness > here) return ways_->opening.at(ways_->start, (openness - here) / (1 - here));
+  if (openness < here) return ways_->closing.at(ways_->start, (here - openness) / here);
   return std::make_shared<const FoldedState>(ways_->start);
 }
 
