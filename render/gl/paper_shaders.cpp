@@ -29,7 +29,7 @@ float brightnessOf(vec3 n) {
   const vec3 lamp = vec3(-0.42, 0.5, 0.757);
   float light = 0.5 + 0.5 * dot(n, lamp);
   float most = 0.5 + 0.5 * lamp.z;
-  float more = 1.1 * (light - most) + 0.06 * n.y;
+  float more = 1.3 * (light - most) + 0.06 * n.y;
   return more > 0.0 ? 1.0 + 0.6 * more : 1.0 + more / (1.0 - 0.8 * more);
 }
 

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/views/mesh_keeper.h"
 
+#include <optional>
 #include <utility>
+
+#include "render/mesh/moved_mesh.h"
 
 namespace kiri::desktop {
 namespace {
 
 /// Smaller models are meshed at once: what the hand moves is seen in the same frame.
 constexpr std::size_t kAtOnce = 400;
+/// So are these while nothing but poses changes, as under a slider.
+constexpr std::size_t kMovedAtOnce = 50000;
 
 ShownMesh meshed(const FoldedState& state, std::uint64_t revision, const Progress& progress) {
   return {
@@ -33,8 +38,12 @@ void MeshKeeper::refresh() {
   }
   if (shown.revision == asked_) return;  // on its way
   asked_ = shown.revision;
+  if (tryMoving(shown)) return;
   if (shown.state->pattern.facets.size() < kAtOnce) {
-    take(meshed(*shown.state, shown.revision, {}));
+    const ShownMesh made = meshed(*shown.state, shown.revision, {});
+    base_ = made.mesh;
+    baseState_ = shown.state;
+    take(made);
     return;
   }
   auto made = std::make_shared<ShownMesh>();
@@ -42,9 +51,24 @@ void MeshKeeper::refresh() {
              [made, state = shown.state, revision = shown.revision](const Progress& progress) {
                *made = meshed(*state, revision, progress);
              },
-             [this, made] {
-               if (made->mesh) take(*made);
+             [this, made, state = shown.state] {
+               if (!made->mesh) return;
+               base_ = made->mesh;
+               baseState_ = state;
+               // A later one may have been there at once.
+               if (newest_.revision != hub_.session().shown().revision) take(*made);
              }});
+}
+
+bool MeshKeeper::tryMoving(const Shown& shown) {
+  if (!base_ || shown.state->pattern.facets.size() > kMovedAtOnce) return false;
+  std::optional<PaperMesh> moved = movedMesh(*base_, *baseState_, *shown.state);
+  if (!moved) return false;
+  take({std::make_shared<const PaperMesh>(std::move(*moved)),
+        sphereOf(*shown.state),
+        shown.revision,
+        {}});
+  return true;
 }
 
 void MeshKeeper::take(const ShownMesh& made) {

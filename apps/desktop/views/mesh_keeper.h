@@ -34,11 +34,15 @@ class MeshKeeper final : public QObject {
 
  private:
   void refresh();
+  /// What has changed since the last mesh that was made anew may be poses only.
+  bool tryMoving(const Shown& shown);
   void take(const ShownMesh& made);
   void takeTints(const Shown& shown);
 
   SessionHub& hub_;
   ShownMesh newest_;
+  std::shared_ptr<const PaperMesh> base_;  ///< the last that was made anew
+  std::shared_ptr<const FoldedState> baseState_;
   std::uint64_t asked_ = 0;
   SteadyTask task_;
 };
