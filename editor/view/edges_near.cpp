@@ -84,7 +84,7 @@ EdgesNear::Key EdgesNear::keyOf(const EdgeInView& edge) const {
 }
 
 std::optional<EdgePoint> EdgesNear::fromUnder(const EdgeInView& edge) {
-  constexpr int kHalvings = 16;
+  constexpr int kHalvings = 10;  // to a hundredth of a pixel and less
   const Key key = keyOf(edge);
   const auto known = edge.seen.arc.isCurved ? along_.end() : along_.find(key);
   if (known != along_.end() && !contains(known->second, edge.facet)) return std::nullopt;

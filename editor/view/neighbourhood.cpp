@@ -246,31 +246,63 @@ bool Neighbourhood::isOver(FacetId a, FacetId b, Vec2 pixels) const {
   return std::abs(ahead) > state_.tolerance().match() ? ahead > 0 : a < b;
 }
 
-bool Neighbourhood::isWellInside(const Spot& spot) const {
-  return locate(regionOf(state_.pattern, spot.facet), spot.paper, state_.tolerance().match()) ==
-         Where::Inside;
+/// Facets, one of each other plane, that lie at the same depth there.
+std::vector<FacetId> Neighbourhood::touchingAt(const PaperPick& place, Vec2 pixels) const {
+  std::vector<FacetId> out;
+  if (map_.pane == Pane::Sheet) return out;
+  const double near = state_.tolerance().match();
+  for (const Layers& layers : sets_) {
+    if (layers.open.empty() || layers.set == state_.layers.setOf(place.spot.facet)) continue;
+    const FacetId other = layers.open.front().id;
+    const Rigid& pose = state_.poseOf(other);
+    const double away = dot(place.place - pose.origin, pose.normal());
+    if (std::abs(away) <= near && topOf(layers, pixels)) out.push_back(other);
+  }
+  return out;
+}
+
+bool Neighbourhood::coversAllAround(const PaperPick& top, Vec2 pixels) const {
+  const Region region = regionOf(state_.pattern, top.spot.facet);
+  return locate(region, top.spot.paper, state_.tolerance().match()) == Where::Inside &&
+         touchingAt(top, pixels).empty();
 }
 
 void Neighbourhood::addDirections(FacetId facet, Vec2 pixels, std::vector<double>& degrees) const {
-  const double reach = state_.tolerance().match();
   const std::optional<Vec2> paper = map_.onPlaneOf(state_, facet, pixels);
   if (!paper) return;
-  const Rigid pose = map_.poseOf(state_, facet);
+  const Spot spot{facet, *paper};
+  addEdgeDirections(spot, degrees);
+  const PaperPick here{spot, map_.placeOf(state_, spot), true};
+  for (const FacetId other : touchingAt(here, pixels)) {
+    const Vec3 along = cross(state_.poseOf(facet).normal(), state_.poseOf(other).normal());
+    if (!(length(along) > kSamePlane)) continue;
+    addDirection(spot, normalized(along), degrees);
+    addDirection(spot, -normalized(along), degrees);
+  }
+}
+
+/// A direction in the pane's space, as it is seen from a place.
+void Neighbourhood::addDirection(const Spot& spot, Vec3 direction,
+                                 std::vector<double>& degrees) const {
   const double step = state_.tolerance().thin();
-  const Vec2 here = map_.frame.project(pose.apply(*paper));
-  const auto add = [&](Vec2 direction) {
-    const Vec2 away = map_.frame.project(pose.apply(*paper + direction * step)) - here;
-    if (!(length(away) > 0)) return;
-    const double angle = angleDegrees(away.x, away.y);
-    degrees.push_back(angle < 0 ? angle + 360 : angle);
-  };
-  for (const EdgeUse use : state_.pattern[facet].border) {
+  const Vec3 place = map_.placeOf(state_, spot);
+  const Vec2 away = map_.frame.project(place + direction * step) - map_.frame.project(place);
+  if (!(length(away) > 0)) return;
+  const double angle = angleDegrees(away.x, away.y);
+  degrees.push_back(angle < 0 ? angle + 360 : angle);
+}
+
+void Neighbourhood::addEdgeDirections(const Spot& spot, std::vector<double>& degrees) const {
+  const double reach = state_.tolerance().match();
+  const Rigid pose = map_.poseOf(state_, spot.facet);
+  const auto add = [&](Vec2 direction) { addDirection(spot, pose.direction(direction), degrees); };
+  for (const EdgeUse use : state_.pattern[spot.facet].border) {
     const Arc arc = arcOf(state_.pattern, use);
-    if (!holds(boundsOf(arc), *paper, reach)) continue;
-    const Nearest nearest = nearestOn(arc, *paper);
+    if (!holds(boundsOf(arc), spot.paper, reach)) continue;
+    const Nearest nearest = nearestOn(arc, spot.paper);
     if (nearest.distance > reach) continue;
-    const bool isAtStart = distance(arc.start, *paper) <= 2 * reach;
-    const bool isAtEnd = distance(arc.end, *paper) <= 2 * reach;
+    const bool isAtStart = distance(arc.start, spot.paper) <= 2 * reach;
+    const bool isAtEnd = distance(arc.end, spot.paper) <= 2 * reach;
     if (isAtStart) add(startDirection(arc));
     if (isAtEnd) add(startDirection(reversed(arc)));
     if (isAtStart || isAtEnd) continue;

@@ -23,11 +23,13 @@ class Neighbourhood {
   /// All paper there, from the eye on.
   std::vector<PaperPick> stack(Vec2 pixels) const;
 
-  /// True when the place is paper of its facet and not on the border.
-  bool isWellInside(const Spot& spot) const;
+  /// True when all that is seen right around a pixel is the paper of `top`, seen there: the pixel
+  /// is not on its border, and no other plane touches it there.
+  bool coversAllAround(const PaperPick& top, Vec2 pixels) const;
 
-  /// Adds the directions, degrees counter-clockwise in the view, 0 to 360, in which edges of a
-  /// facet leave a point of the pane; none when no edge of it passes there.
+  /// Adds the directions, degrees counter-clockwise in the view, 0 to 360, in which what is seen
+  /// may change around a point of the pane for the sake of a facet: in which its edges leave the
+  /// point, and in which planes that touch it there cross its plane.
   void addDirections(FacetId facet, Vec2 pixels, std::vector<double>& degrees) const;
 
   /// True when `a` is over `b` where both appear at the pixel.
@@ -64,6 +66,9 @@ class Neighbourhood {
   std::optional<Hit> topOf(const Layers& layers, Vec2 pixels) const;
   std::optional<Hit> topHit(Vec2 pixels) const;
   bool isOverInSet(const Layers& layers, FacetId a, FacetId b) const;
+  std::vector<FacetId> touchingAt(const PaperPick& place, Vec2 pixels) const;
+  void addEdgeDirections(const Spot& spot, std::vector<double>& degrees) const;
+  void addDirection(const Spot& spot, Vec3 direction, std::vector<double>& degrees) const;
 
   const FoldedState& state_;
   const PaneMap& map_;

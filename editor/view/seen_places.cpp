@@ -40,7 +40,7 @@ SeenPlaces::Point& SeenPlaces::at(Vec2 pixels) {
   if (!isNew) return point;
   point.pixels = pixels;
   if (const std::optional<PaperPick> top = near_.top(pixels)) {
-    point.isCovered = near_.isWellInside(top->spot);
+    point.isCovered = near_.coversAllAround(*top, pixels);
     if (point.isCovered) point.seen.push_back(top->spot.facet);
     if (!point.isCovered) look(point, top->spot.facet);
   }
