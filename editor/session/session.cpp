@@ -165,7 +165,14 @@ Marks Session::marks() const {
     add(marksOf(show.collisions));
   }
   add(marksOf(parts_->witness, state));
+  add(parts_->guide);
   return marks;
+}
+
+void Session::setGuide(Marks guide) {
+  parts_->guide = std::move(guide);
+  parts_->changed.marks = true;
+  parts_->tell();
 }
 
 }  // namespace kiri

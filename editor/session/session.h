@@ -97,6 +97,8 @@ class Session {
   // What to draw.
   Shown shown() const;
   Marks marks() const;
+  /// Drawn over all else until it is another: the hand of a guided tour.
+  void setGuide(Marks guide);
 
   // Sliders.
   std::vector<FoldSlider> sliders() const;

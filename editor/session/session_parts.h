@@ -46,6 +46,7 @@ struct Session::Parts {
   LatestTask playerTask;
 
   Shown shown;
+  Marks guide;
 
   Tool& tool();
   Scope scope() const;
