@@ -3,6 +3,7 @@
 #include "apps/desktop/actions.h"
 
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <algorithm>
 
 #include "apps/desktop/look/icons.h"
@@ -100,12 +101,13 @@ void Actions::retranslate() {
 }
 
 void Actions::describe(QAction& action, const ActionSpec& spec) const {
-  const QString text = tr(spec.text);
+  const QString text = QCoreApplication::translate("kiri::desktop", spec.text);
   action.setText(text);
   QString name = text;
   name.remove('&').remove("...");
   action.setIconText(name);
-  const QString help = spec.help[0] == '\0' ? QString() : tr(spec.help);
+  const QString help =
+      spec.help[0] == '\0' ? QString() : QCoreApplication::translate("kiri::desktop", spec.help);
   const QString key = action.shortcut().toString(QKeySequence::NativeText);
   QString tip = "<b>" + name.toHtmlEscaped() + "</b>";
   if (!key.isEmpty()) tip += " &nbsp;(" + key.toHtmlEscaped() + ")";

@@ -8,7 +8,7 @@
 namespace kiri::desktop {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop::Docks", text); }
+QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop", text); }
 
 QDockWidget* dock(QMainWindow& window, const QString& name, const QString& title, QWidget* inside,
                   Qt::DockWidgetArea area) {

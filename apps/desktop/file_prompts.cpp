@@ -15,10 +15,13 @@ namespace kiri::desktop {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("kiri::desktop::FilePrompts", text);
+  return QCoreApplication::translate("kiri::desktop::DialogPrompts", text);
 }
 
-QString filter() { return tr("KiriSim models (*.kiri);;All files (*)"); }
+QString filter() {
+  return QCoreApplication::translate("kiri::desktop::DialogPrompts",
+                                     "KiriSim models (*.kiri);;All files (*)");
+}
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace {
 constexpr int kBarIcon = 20;
 constexpr int kToolIcon = 24;
 
-QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop::Menus", text); }
+QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop", text); }
 
 /// Adds actions by name; a dash is a line between.
 void fill(QWidget& place, const Actions& actions, const QStringList& names) {

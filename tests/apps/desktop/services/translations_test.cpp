@@ -1,0 +1,132 @@
+// Every sentence of the window has its German one, with the same places for numbers and names.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <vector>
+
+#include "apps/desktop/look/convert.h"
+#include "apps/desktop/services/language.h"
+#include "editor/base/phrase.h"
+
+namespace kiri::desktop {
+namespace {
+
+struct Sentence {
+  QString context;
+  QString source;
+  QStringList translations;  ///< one, or one for each number
+  bool isFinished = true;
+};
+
+const QString kGerman = QString(KIRI_SOURCE_DIR) + "/apps/desktop/translations/kirisim_de.ts";
+
+std::vector<Sentence> sentencesIn(const QString& path) {
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+  QXmlStreamReader xml(&file);
+  std::vector<Sentence> sentences;
+  QString context;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    if (xml.name() == u"name") context = xml.readElementText();
+    if (xml.name() == u"message") sentences.push_back({context, {}, {}, true});
+    if (xml.name() == u"source") sentences.back().source = xml.readElementText();
+    if (xml.name() == u"translation") {
+      sentences.back().isFinished = xml.attributes().value("type") != u"unfinished";
+      while (xml.readNext() != QXmlStreamReader::EndElement || xml.name() != u"translation") {
+        if (xml.isStartElement()) {
+          sentences.back().translations.append(xml.readElementText());
+        } else if (xml.isCharacters() && !xml.isWhitespace()) {
+          sentences.back().translations.append(xml.text().toString());
+        }
+      }
+    }
+  }
+  EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+  return sentences;
+}
+
+QStringList placesIn(const QString& text) {
+  QStringList places;
+  static const QRegularExpression kPlace("%[1-9n]");
+  for (auto match = kPlace.globalMatch(text); match.hasNext();)
+    places.append(match.next().captured());
+  places.sort();
+  return places;
+}
+
+TEST(Translations, NoSentenceIsLeftUntranslated) {
+  QString lupdate = QLibraryInfo::path(QLibraryInfo::BinariesPath) + "/lupdate";
+  if (!QFile::exists(lupdate))
+    lupdate = QLibraryInfo::path(QLibraryInfo::LibraryExecutablesPath) + "/lupdate";
+  if (!QFile::exists(lupdate)) GTEST_SKIP() << "no lupdate here";
+  // What the sources say now, merged into a copy of the translation.
+  QTemporaryDir folder;
+  const QString copy = folder.filePath("kirisim_de.ts");
+  ASSERT_TRUE(QFile::copy(kGerman, copy));
+  const QString root = KIRI_SOURCE_DIR;
+  QProcess process;
+  process.start(lupdate, {"-silent",
+                          "-I",
+                          root,
+                          "-locations",
+                          "none",
+                          "-no-obsolete",
+                          "-tr-function-alias",
+                          "QT_TRANSLATE_NOOP+=KIRI_TEXT",
+                          "-tr-function-alias",
+                          "QT_TR_NOOP+=KIRI_ACTION",
+                          "-disable-heuristic",
+                          "similartext",
+                          "-disable-heuristic",
+                          "sametext",
+                          "-disable-heuristic",
+                          "number",
+                          root + "/apps/desktop",
+                          root + "/editor",
+                          "-ts",
+                          copy});
+  ASSERT_TRUE(process.waitForFinished(60000));
+  ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+  const std::vector<Sentence> sentences = sentencesIn(copy);
+  EXPECT_GT(sentences.size(), 500U);
+  for (const Sentence& sentence : sentences) {
+    const bool isTranslated = sentence.isFinished && !sentence.translations.isEmpty();
+    EXPECT_TRUE(isTranslated) << sentence.context.toStdString() << ": "
+                              << sentence.source.toStdString();
+  }
+}
+
+TEST(Translations, KeepThePlacesOfNumbersAndNames) {
+  for (const Sentence& sentence : sentencesIn(kGerman)) {
+    for (const QString& translation : sentence.translations) {
+      EXPECT_EQ(placesIn(translation), placesIn(sentence.source)) << sentence.source.toStdString();
+      EXPECT_EQ(translation.count("\n"), sentence.source.count("\n"));
+      EXPECT_EQ(translation.startsWith(' '), sentence.source.startsWith(' '))
+          << sentence.source.toStdString();
+    }
+  }
+}
+
+TEST(Translations, TheProgramSpeaksGermanAndEnglishAgain) {
+  const Phrase phrase{KIRI_TEXT("editor/document", "Point %1, x"), {"3"}};
+  EXPECT_EQ(speak("de"), "de");
+  EXPECT_EQ(said(phrase), "Punkt 3, x");
+  EXPECT_EQ(QCoreApplication::translate("kiri::desktop", "&Open..."), "Ö&ffnen...");
+  EXPECT_EQ(QCoreApplication::translate("QPlatformTheme", "Cancel"), "Abbrechen")
+      << "Qt's own words";
+  EXPECT_EQ(speak("en"), "en");
+  EXPECT_EQ(said(phrase), "Point 3, x");
+  EXPECT_TRUE(languages().contains(speak("xx"))) << "an unknown language is that of the desktop";
+  speak("en");
+}
+
+}  // namespace
+}  // namespace kiri::desktop
