@@ -7,6 +7,7 @@
 #include "apps/desktop/look/theme.h"
 #include "apps/desktop/main_window.h"
 #include "apps/desktop/services/crash_handler.h"
+#include "apps/desktop/services/language.h"
 #include "apps/desktop/views/gl_model_view.h"
 
 namespace {
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
   installCrashHandler(journalFolder(), KIRI_VERSION);
 
   Settings settings;
+  speak(settings.preferences().language);
   const Shade desktop = shadeOfDesktop();
   applyTheme(application, shadeOf(settings, desktop));
   QObject::connect(&settings, &Settings::preferencesChanged, &application, [&] {
@@ -90,6 +92,7 @@ int main(int argc, char** argv) {
   PoolRunner runner;
   MainWindow window(runner, settings, wishes.options);
   window.show();
+  window.dialogs().begin(!wishes.file.isEmpty());
   if (!wishes.file.isEmpty()) window.files().openFile(wishes.file);
   return QApplication::exec();
 }

@@ -11,6 +11,7 @@
 #include <QPageSize>
 #include <QPrintDialog>
 #include <QPrinterInfo>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -164,7 +165,7 @@ void PrintDialog::askPicture() {
   };
   task.done = [this, picture] {
     scene_ = *picture;
-    preview_->updatePreview();
+    showPages();
     sayPages();
     emit pictureReady();
   };
@@ -178,8 +179,23 @@ void PrintDialog::setUpPage() {
   printer_->setPageLayout(QPageLayout(
       QPageSize(paper), orientation,
       QMarginsF(kPaperMargin, kPaperMargin, kPaperMargin, kPaperMargin), QPageLayout::Millimeter));
-  preview_->updatePreview();
+  showPages();
   sayPages();
+}
+
+void PrintDialog::showPages() {
+  preview_->updatePreview();
+  const std::optional<PageTiles> now = tiles();
+  const bool isOne = !now || now->count() == 1;
+  preview_->setViewMode(isOne ? QPrintPreviewWidget::SinglePageView
+                              : QPrintPreviewWidget::AllPagesView);
+  preview_->fitInView();
+}
+
+// The preview finds its scale by its size, which it has only now.
+void PrintDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  QTimer::singleShot(0, this, &PrintDialog::showPages);
 }
 
 PageTiles PrintDialog::tilesOn(const QPrinter& printer) const {

@@ -46,6 +46,8 @@ class PrintDialog final : public QDialog {
   void showRows();
   void askPicture();
   void setUpPage();
+  void showPages();
+  void showEvent(QShowEvent* event) override;
   void paintPages(QPrinter* printer);
   PageTiles tilesOn(const QPrinter& printer) const;
   void sayPages();

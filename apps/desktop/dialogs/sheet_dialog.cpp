@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "apps/desktop/dialogs/form.h"
+#include "apps/desktop/look/convert.h"
 #include "apps/desktop/look/scene_painter.h"
 #include "core/geometry/region.h"
 
@@ -17,46 +18,6 @@ namespace kiri::desktop {
 namespace {
 
 constexpr int kPicture = 240;
-
-SheetSpec rectangle(double width, double height) {
-  SheetSpec sheet;
-  sheet.shape = SheetSpec::Shape::Rectangle;
-  sheet.width = width;
-  sheet.height = height;
-  return sheet;
-}
-
-SheetSpec square(double side) {
-  SheetSpec sheet;
-  sheet.width = side;
-  sheet.height = side;
-  return sheet;
-}
-
-SheetSpec disc(double diameter) {
-  SheetSpec sheet = square(diameter);
-  sheet.shape = SheetSpec::Shape::Disc;
-  return sheet;
-}
-
-/// A square on its corner with a stalk's room below: how a bud's leaf is blanked out.
-SheetSpec leafBlank() {
-  SheetSpec sheet;
-  sheet.shape = SheetSpec::Shape::Polygon;
-  sheet.outline = {{75, 0},   {135, 35}, {150, 90}, {115, 140},
-                   {75, 160}, {35, 140}, {0, 90},   {15, 35}};
-  return sheet;
-}
-
-SheetSpec hexagon(double across) {
-  SheetSpec sheet;
-  sheet.shape = SheetSpec::Shape::Polygon;
-  const double r = across / 2;
-  constexpr double kHalfRoot3 = 0.8660254037844386;
-  const double h = r * kHalfRoot3;
-  sheet.outline = {{0, h}, {r / 2, 0}, {r * 1.5, 0}, {r * 2, h}, {r * 1.5, 2 * h}, {r / 2, 2 * h}};
-  return sheet;
-}
 
 Box boxOfPolygon(const SheetSpec& sheet) {
   Box box{sheet.outline.front(), sheet.outline.front()};
@@ -79,16 +40,10 @@ SheetSpec stretched(SheetSpec sheet, double width, double height) {
 
 }  // namespace
 
-QList<SheetPreset> sheetPresets() {
-  const auto tr = [](const char* text) { return SheetDialog::tr(text); };
-  return {{tr("Square, 150 mm"), "sheet", square(150)},
-          {tr("A4"), "new", rectangle(210, 297)},
-          {tr("A4, lying"), "new", rectangle(297, 210)},
-          {tr("Disc, 150 mm"), "orbit", disc(150)},
-          {tr("Blank of a leaf"), "leaf", leafBlank()},
-          {tr("Hexagon, 150 mm"), "sheet", hexagon(150)},
-          {tr("Strip, 300 × 30 mm"), "sheet", rectangle(300, 30)},
-          {tr("Letter"), "new", rectangle(215.9, 279.4)}};
+QString iconOf(const SheetPreset& preset) {
+  if (preset.id == "leaf") return "leaf";
+  if (preset.id == "disc") return "orbit";
+  return preset.id == "square" ? "sheet" : "new";
 }
 
 SheetDialog::SheetDialog(const SheetSpec& start, QWidget* parent) : QDialog(parent) {
@@ -96,14 +51,15 @@ SheetDialog::SheetDialog(const SheetSpec& start, QWidget* parent) : QDialog(pare
   form_ = formLayout();
   preset_ = new QComboBox;
   preset_->addItem(tr("Own size"));
-  for (const SheetPreset& preset : sheetPresets()) preset_->addItem(preset.name);
+  for (const SheetPreset& preset : presets_)
+    preset_->addItem(said(preset.name) + ", " + said(preset.size));
   shape_ = choiceBox({{tr("Square"), static_cast<int>(SheetSpec::Shape::Square)},
                       {tr("Rectangle"), static_cast<int>(SheetSpec::Shape::Rectangle)},
                       {tr("Disc"), static_cast<int>(SheetSpec::Shape::Disc)},
                       {tr("Polygon"), static_cast<int>(SheetSpec::Shape::Polygon)}},
                      0);
-  width_ = numberBox(150, 1, 10000, tr(" mm"), 2);
-  height_ = numberBox(150, 1, 10000, tr(" mm"), 2);
+  width_ = numberBox(150, kSmallestSheet, kLargestSheet, tr(" mm"), 2);
+  height_ = numberBox(150, kSmallestSheet, kLargestSheet, tr(" mm"), 2);
   form_->addRow(tr("&Paper"), preset_);
   form_->addRow(tr("&Shape"), shape_);
   form_->addRow(tr("&Width"), width_);
@@ -142,7 +98,10 @@ SheetDialog::SheetDialog(const SheetSpec& start, QWidget* parent) : QDialog(pare
   connect(shape_, &QComboBox::currentIndexChanged, this, changed);
   connect(width_, &QDoubleSpinBox::valueChanged, this, changed);
   connect(height_, &QDoubleSpinBox::valueChanged, this, changed);
-  polygon_ = leafBlank();
+  for (const SheetPreset& preset : presets_) {
+    if (preset.model.sheet.shape == SheetSpec::Shape::Polygon) polygon_ = preset.model.sheet;
+  }
+  paper_ = presets_.front().model;
   setSheet(start);
 }
 
@@ -171,10 +130,17 @@ SheetSpec SheetDialog::sheet() const {
   return stretched(polygon_, width_->value(), height_->value());
 }
 
+Model SheetDialog::model() const {
+  Model model = paper_;
+  model.sheet = sheet();
+  return model;
+}
+
 void SheetDialog::usePreset() {
   const int index = preset_->currentIndex() - 1;
   if (index < 0) return;
-  setSheet(sheetPresets()[index].sheet);
+  paper_ = presets_[static_cast<std::size_t>(index)].model;
+  setSheet(paper_.sheet);
   preset_->setCurrentIndex(index + 1);
 }
 
@@ -203,10 +169,9 @@ void SheetDialog::showPicture() {
     painter.translate(kPicture / 2.0, kPicture / 2.0);
     painter.scale(scale, -scale);
     painter.translate(-(box.low.x + box.high.x) / 2, -(box.low.y + box.high.y) / 2);
-    const Model paper;
     painter.setPen(QPen(QColor(30, 30, 30), 1 / scale));
     painter.setBrush(
-        QColor(paper.front.color.red, paper.front.color.green, paper.front.color.blue));
+        QColor(paper_.front.color.red, paper_.front.color.green, paper_.front.color.blue));
     painter.drawPath(pathOf(made->outline.loops));
   }
   picture_->setPixmap(pixmap);

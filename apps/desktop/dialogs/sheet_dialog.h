@@ -8,27 +8,25 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <vector>
 
 #include "core/model/model.h"
+#include "editor/document/new_sheet.h"
 
 namespace kiri::desktop {
 
-/// A sheet that is offered by name, on the start page and in the dialog.
-struct SheetPreset {
-  QString name;
-  QString icon;  ///< in look/icons.h
-  SheetSpec sheet;
-};
-/// Square, A4, disc, leaf blank...
-QList<SheetPreset> sheetPresets();
+/// The drawing that stands for a sheet of editor/document/new_sheet.h.
+QString iconOf(const SheetPreset& preset);
 
-/// Asks for a sheet. `dialog.exec() == QDialog::Accepted` then `dialog.sheet()`.
+/// Asks for a sheet. Accepted: `dialog.model()`, a model without steps.
 class SheetDialog final : public QDialog {
   Q_OBJECT
  public:
   explicit SheetDialog(const SheetSpec& start = {}, QWidget* parent = nullptr);
 
   SheetSpec sheet() const;
+  /// The sheet in the colours of the paper that was chosen last.
+  Model model() const;
   void setSheet(const SheetSpec& sheet);
 
  private:
@@ -36,6 +34,8 @@ class SheetDialog final : public QDialog {
   void showPicture();
   void usePreset();
 
+  std::vector<SheetPreset> presets_ = sheetPresets();
+  Model paper_;
   SheetSpec polygon_;  ///< what a polygon keeps while it is scaled
   bool isSetting_ = false;
   QFormLayout* form_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMap>
 #include <QPointer>
 #include <QPushButton>
@@ -15,6 +16,7 @@
 
 #include "apps/desktop/dialogs/form.h"
 #include "apps/desktop/dialogs/sheet_dialog.h"
+#include "apps/desktop/look/convert.h"
 #include "apps/desktop/look/icons.h"
 #include "apps/desktop/services/gallery.h"
 
@@ -125,15 +127,14 @@ QWidget* StartPage::makeSheets() {
     button->setIconSize({40, 40});
     button->setText(text);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    button->setMinimumSize(112, 88);
+    button->setMinimumSize(112, 100);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     row->addWidget(button);
     return button;
   };
-  constexpr int kShown = 5;
-  for (const SheetPreset& preset : sheetPresets().first(kShown)) {
-    connect(add(preset.icon, preset.name), &QToolButton::clicked, this,
-            [this, sheet = preset.sheet] { emit sheetChosen(sheet); });
+  for (const SheetPreset& preset : sheetPresets()) {
+    connect(add(iconOf(preset), said(preset.name) + "\n" + said(preset.size)),
+            &QToolButton::clicked, this, [this, model = preset.model] { emit modelChosen(model); });
   }
   connect(add("new", tr("Other…")), &QToolButton::clicked, this, &StartPage::otherSheetWanted);
   row->addStretch();
@@ -239,6 +240,14 @@ void StartPage::fitHeights() {
 void StartPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitHeights();
+}
+
+void StartPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    emit closeWanted();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
 }
 
 void StartPage::showEvent(QShowEvent* event) {

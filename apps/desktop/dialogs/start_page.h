@@ -27,16 +27,17 @@ class StartPage final : public QWidget {
   void refresh();
 
  signals:
-  void sheetChosen(const kiri::SheetSpec& sheet);
-  void otherSheetWanted();                  ///< the sheet dialog
-  void openWanted();                        ///< the file dialog
-  void fileChosen(const QString& path);     ///< a recent file
-  void exampleChosen(const QString& path);  ///< opened as a model without a file of its own
+  void modelChosen(const kiri::Model& model);  ///< a sheet without steps
+  void otherSheetWanted();                     ///< the sheet dialog
+  void openWanted();                           ///< the file dialog
+  void fileChosen(const QString& path);        ///< a recent file
+  void exampleChosen(const QString& path);     ///< opened as a model without a file of its own
   void tourWanted();
   void closeWanted();  ///< back to the open model
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QWidget* makeHead();

@@ -63,10 +63,11 @@ void Autosave::write(const Document& document) {
     const Status status = isModified ? desk->write(model, count, path, age) : desk->clear(age);
     if (!status.isOk()) *outcome = status.error();
   };
-  task.done = [this, outcome] {
+  task.done = [this, outcome, isModified = document.isModified()] {
     const bool failsNow = outcome->has_value();
     if (failsNow && !hasFailed_) emit failed(QString::fromStdString((*outcome)->message));
     hasFailed_ = failsNow;
+    if (isModified && !failsNow) emit written();
   };
   writing_.ask(std::move(task));
 }

@@ -40,6 +40,8 @@ class Autosave final : public QObject {
   void finish();
 
  signals:
+  /// A version with unsaved changes is on disk.
+  void written();
   /// The journal cannot be written, for the first time since it could: say so in the status bar.
   void failed(const QString& why);
 

@@ -8,7 +8,7 @@ namespace kiri::desktop {
 
 ExportSource exportSourceOf(const Document& document, const ViewFrame& screen) {
   ExportSource source;
-  source.model = document.model();
+  source.model = document.modelToSave();
   source.cursor = document.cursor();
   for (std::size_t i = 1; i <= source.cursor; ++i) {
     const auto state = document.stateAfter(i);

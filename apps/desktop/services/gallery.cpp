@@ -5,16 +5,14 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QPainter>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
-#include "apps/desktop/look/scene_painter.h"
-#include "apps/desktop/services/textures.h"
-#include "core/model/replay.h"
+#include "apps/desktop/look/convert.h"
+#include "editor/document/gallery.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
-#include "render/scene/model_scene.h"
 
 namespace kiri::desktop {
 
@@ -34,17 +32,6 @@ QString titleFrom(const QString& path) {
   QString title = QFileInfo(path).completeBaseName().replace('_', ' ');
   if (!title.isEmpty()) title[0] = title[0].toUpper();
   return title;
-}
-
-QImage drawn(const Scene& scene, int pixels) {
-  QImage picture(pixels, pixels, QImage::Format_ARGB32_Premultiplied);
-  picture.fill(Qt::transparent);
-  const double scale = pixels / std::max(scene.width, scene.height);
-  QPainter painter(&picture);
-  painter.translate((pixels - scene.width * scale) / 2, (pixels - scene.height * scale) / 2);
-  painter.scale(scale, scale);
-  paintScene(painter, scene, 2 / scale);
-  return picture;
 }
 
 }  // namespace
@@ -82,15 +69,9 @@ ModelCard cardOf(const QString& path, int pixels, const Progress& progress) {
   const Model& model = loaded->model;
   if (!model.title.empty()) card.title = QString::fromStdString(model.title);
   card.steps = static_cast<int>(model.steps.size());
-  const Result<Replay> done = replay(model, progress);
-  if (!done.isOk()) return card;
-  std::shared_ptr<const FoldedState> last = done->start;
-  for (const StepOutcome& outcome : done->outcomes) {
-    if (outcome.state) last = outcome.state;
-  }
-  const Appearance looks = appearanceWithTextures(model, path);
-  const Result<Scene> scene = modelScene(*last, looks, frontSpec(), {2, 1, "", {}, {}, progress});
-  if (scene.isOk() && scene->width > 0 && scene->height > 0) card.picture = drawn(*scene, pixels);
+  const GalleryEntry entry{path.toStdString(), "", "", model.steps.size(), std::nullopt};
+  const Result<Image> picture = galleryPicture(entry, pixels, progress);
+  if (picture.isOk()) card.picture = toQt(*picture);
   return card;
 }
 
