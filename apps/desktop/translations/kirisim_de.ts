@@ -279,14 +279,6 @@
 <context>
     <name>editor/session</name>
     <message>
-        <source>new colours</source>
-        <translation>neue Farben</translation>
-    </message>
-    <message>
-        <source>new title</source>
-        <translation>neuer Titel</translation>
-    </message>
-    <message>
         <source>Folding the model</source>
         <translation>Das Modell wird gefaltet</translation>
     </message>
@@ -485,10 +477,6 @@
         <translation>Eingabe fügt die Kante hinzu; sie reicht bis an die Ränder jeder Fläche, die sie kreuzt</translation>
     </message>
     <message>
-        <source>%1: %2°</source>
-        <translation>%1: %2°</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -663,10 +651,6 @@
     <message>
         <source>Show layers</source>
         <translation>Lagen zeigen</translation>
-    </message>
-    <message>
-        <source>Fans the layers under the line out, to be picked by a click</source>
-        <translation>Fächert die Lagen unter der Linie auf, um sie anzuklicken</translation>
     </message>
     <message>
         <source>opens &quot;%1&quot;</source>
@@ -1011,6 +995,10 @@
     <message>
         <source>Press where an edge begins, such as at the border, and drag along it</source>
         <translation>Drücken, wo eine Kante beginnt, etwa am Rand, und an ihr entlangziehen</translation>
+    </message>
+    <message>
+        <source>Fans the layers under the line out, to be picked by a click (K)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1643,13 +1631,6 @@
     </message>
 </context>
 <context>
-    <name>kiri::desktop::DialogDesk</name>
-    <message>
-        <source>Your steps cannot be kept safe from crashes: %1</source>
-        <translation>Ihre Schritte können nicht vor Abstürzen gesichert werden: %1</translation>
-    </message>
-</context>
-<context>
     <name>kiri::desktop::DialogPrompts</name>
     <message>
         <source>KiriSim models (*.kiri);;All files (*)</source>
@@ -2116,6 +2097,18 @@
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
     </message>
+    <message>
+        <source>About KiriSim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;KiriSim %1&lt;/h3&gt;A virtual-paper laboratory: fold, tear, cut and unfold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures are drawn by %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>kiri::desktop::ModelView</name>
@@ -2474,21 +2467,6 @@
     <message>
         <source>%1 cannot be written.</source>
         <translation>%1 kann nicht geschrieben werden.</translation>
-    </message>
-</context>
-<context>
-    <name>kiri::desktop::PropertiesDialog</name>
-    <message>
-        <source>Title and notes</source>
-        <translation>Titel und Notizen</translation>
-    </message>
-    <message>
-        <source>&amp;Title</source>
-        <translation>&amp;Titel</translation>
-    </message>
-    <message>
-        <source>&amp;Notes</source>
-        <translation>&amp;Notizen</translation>
     </message>
 </context>
 <context>
