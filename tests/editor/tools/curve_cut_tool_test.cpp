@@ -11,7 +11,7 @@
 namespace kiri::test {
 namespace {
 
-const CurveCutStep& curveOf(const Step& step) { return std::get<CurveCutStep>(step.action); }
+CurveCutStep curveOf(const Step& step) { return std::get<CurveCutStep>(step.action); }
 
 /// A curve cut tool on a state, with snapping switched off.
 ToolDriver handOn(const FoldedState& state) {
@@ -340,12 +340,12 @@ TEST(CurveCutTool, AHalfFoldedModelIsCutStraightThroughWhenAsked) {
   EXPECT_LT(areaOf(*after), 10000 - 1000);
   hand.set("keep", 1);
   // The half that stands at 60 degrees is cut where it lies under the eye of the front.
-  EXPECT_EQ(pieceCount(*hand.result()), 2U);
+  const auto whole = hand.result();
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(pieceCount(*whole), 2U);
   bool isSlopeCut = false;
-  for (std::size_t e = 0; e < hand.result()->pattern.edges.size(); ++e) {
-    const Edge& edge = hand.result()->pattern.edges[e];
-    isSlopeCut |= edge.kind == EdgeKind::Cut && hand.result()->pattern[edge.from].x < 49;
-  }
+  for (const Edge& edge : whole->pattern.edges)
+    isSlopeCut |= edge.kind == EdgeKind::Cut && whole->pattern[edge.from].x < 49;
   EXPECT_TRUE(isSlopeCut);
 }
 
