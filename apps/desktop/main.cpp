@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
   PoolRunner runner;
   MainWindow window(runner, settings, wishes.options);
   window.show();
+  window.dialogs().begin(!wishes.file.isEmpty());
   if (!wishes.file.isEmpty()) window.files().openFile(wishes.file);
   return QApplication::exec();
 }

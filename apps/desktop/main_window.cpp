@@ -47,6 +47,7 @@ MainWindow::MainWindow(PoolRunner& runner, Settings& settings, Options options, 
   files_ = new FileDesk(hub_, settings, std::make_unique<DialogPrompts>(*this, settings), this);
   edit_ = new EditDesk(hub_, actions_, *docks_.player, this);
   view_ = new ViewDesk(hub_, look_, settings, actions_, {modelView_, sheetView_}, this);
+  dialogs_ = new DialogDesk(*this, hub_, settings, actions_, *files_, *modelView_);
   connectFiles();
   connectParts();
   restoreLayout();
@@ -84,12 +85,10 @@ void MainWindow::connectFiles() {
   const auto on = [this](const QString& id, auto what) {
     connect(&actions_[id], &QAction::triggered, this, what);
   };
-  on("new", [this] { files_->openModel(Model{}); });
   on("open", [this] { files_->askAndOpen(); });
   on("save", [this] { files_->save(); });
   on("save-as", [this] { files_->saveAs(); });
   on("quit", [this] { close(); });
-  on("about", [this] { about(); });
   connect(files_, &FileDesk::opened, this, [this] { modelView_->setFocus(); });
   connect(files_, &FileDesk::saved, this, [this](const QString& path) {
     status_->say(Notice::Kind::Done, tr("Saved as %1").arg(path));
@@ -98,6 +97,8 @@ void MainWindow::connectFiles() {
     status_->say(Notice::Kind::Warning, sentences.join("; "));
   });
   connect(menus_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  connect(menus_.examples, &QMenu::aboutToShow, this,
+          [this] { dialogs_->fillExamples(*menus_.examples); });
 }
 
 void MainWindow::connectParts() {
@@ -156,6 +157,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
+  dialogs_->closing();
   settings_.setLayout("window-geometry", saveGeometry());
   settings_.setLayout("window-state", saveState());
   settings_.setLayout("window-panes", splitter_->saveState());
@@ -171,16 +173,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (file.isEmpty()) return;
   event->acceptProposedAction();
   files_->openFile(file);
-}
-
-void MainWindow::about() {
-  QMessageBox box(QMessageBox::NoIcon, tr("About KiriSim"),
-                  tr("<h3>KiriSim %1</h3>A virtual-paper laboratory: fold, tear, cut and unfold.")
-                      .arg(QApplication::applicationVersion()),
-                  QMessageBox::Close, this);
-  box.setIconPixmap(windowIcon().pixmap(QSize(64, 64), devicePixelRatioF()));
-  box.setInformativeText(tr("Pictures are drawn by %1.").arg(modelView_->description()));
-  box.exec();
 }
 
 }  // namespace kiri::desktop

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "apps/desktop/actions.h"
+#include "apps/desktop/dialog_desk.h"
 #include "apps/desktop/docks.h"
 #include "apps/desktop/edit_desk.h"
 #include "apps/desktop/file_desk.h"
@@ -40,6 +41,7 @@ class MainWindow final : public QMainWindow {
   SessionHub& hub() { return hub_; }
   Actions& actions() { return actions_; }
   FileDesk& files() { return *files_; }
+  DialogDesk& dialogs() { return *dialogs_; }
   ModelView& modelView() { return *modelView_; }
   SheetView& sheetView() { return *sheetView_; }
   FieldBar& fieldBar() { return *fieldBar_; }
@@ -58,7 +60,6 @@ class MainWindow final : public QMainWindow {
   void refreshTitle();
   void fillRecent();
   void restoreLayout();
-  void about();
 
   PoolRunner& runner_;
   Settings& settings_;
@@ -73,6 +74,7 @@ class MainWindow final : public QMainWindow {
   StatusLine* status_ = nullptr;
   Docks docks_;
   FileDesk* files_ = nullptr;
+  DialogDesk* dialogs_ = nullptr;
   EditDesk* edit_ = nullptr;
   ViewDesk* view_ = nullptr;
   bool mayClose_ = false;
