@@ -195,6 +195,18 @@ function(kiri_tests_of_the_house)
       set_property(TEST ${folder}.${name} APPEND PROPERTY ENVIRONMENT "KIRI_PROGRAM=$<TARGET_FILE:kiri>")
     endif()
   endforeach()
+  # Scripts that drive the window from outside.
+  if(TARGET kirisim)
+    file(GLOB scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/window/*_test.py)
+    foreach(script IN LISTS scripts)
+      get_filename_component(name ${script} NAME_WE)
+      add_test(NAME window.${name}
+               COMMAND ${PROJECT_SOURCE_DIR}/tools/with_screen.sh $<TARGET_FILE:Python3::Interpreter> ${script}
+               WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+      set_tests_properties(window.${name} PROPERTIES LABELS window TIMEOUT 900 SKIP_RETURN_CODE 77
+                           ENVIRONMENT "KIRISIM_PROGRAM=$<TARGET_FILE:kirisim>")
+    endforeach()
+  endif()
   add_test(NAME architecture.headers_stand_alone
            COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target all_verify_interface_header_sets)
   set_tests_properties(architecture.headers_stand_alone PROPERTIES LABELS house RUN_SERIAL ON)

@@ -11,12 +11,20 @@ namespace {
 /// The pointer must go so far, in pixels, before a press is more than a click.
 constexpr double kDrag = 4;
 
+/// Pixels beside the paper that still count as its corner.
+constexpr double kBeside = 5;
+
 /// The paper under the pointer, at the snapped place if that is on the same piece of paper.
 std::optional<Snapped> paperToTake(const Scope& scope, const PointerEvent& event) {
   const FoldedState& state = *scope.state;
   const PaneMap& map = scope.map(event.pane);
   const auto pick = pickPaper(state, map, event.at);
-  if (!pick) return std::nullopt;
+  if (!pick) {
+    // Nobody meets a corner to the pixel: just beside it is meant as the corner.
+    const auto corner = scope.snaps.isOn ? pickVertex(state, map, event.at, kBeside) : std::nullopt;
+    if (!corner) return std::nullopt;
+    return Snapped{corner->spot, SnapKind::Vertex, {}, {}};
+  }
   Snapped taken{pick->spot, SnapKind::None, {}, {}};
   auto snapped = snapPoint(state, map, event.at, scope.snaps);
   if (!snapped) return taken;

@@ -45,11 +45,14 @@ class Hand {
   void release(Vec2 mm, PointerButton button = PointerButton::Left) {
     send(PointerAction::Release, pixels(mm), button);
   }
-  void drag(Vec2 from, Vec2 to, PointerButton button = PointerButton::Left) {
+  void drag(Vec2 from, Vec2 to, bool isFree = false, PointerButton button = PointerButton::Left) {
+    const Modifiers before = held;
     moveTo(from, PointerButton::None);
     press(from, button);
+    held.control = held.control || isFree;
     for (const double part : {0.25, 0.5, 0.75, 1.0}) moveTo(lerp(from, to, part), button);
     release(to, button);
+    held = before;
   }
   void click(Vec2 mm) {
     moveTo(mm, PointerButton::None);
@@ -86,9 +89,9 @@ class Sitter final : public Person {
 
   Session& session() override { return hand_.session; }
   void take(ToolId tool) override { hand_.session.setTool(tool); }
-  void drag(Pane pane, Vec2 from, Vec2 to) override {
+  void drag(Pane pane, Vec2 from, Vec2 to, bool isFree) override {
     hand_.pane = pane;
-    hand_.drag(from, to);
+    hand_.drag(from, to, isFree);
   }
   void click(Pane pane, Vec2 at) override {
     hand_.pane = pane;

@@ -18,7 +18,8 @@ class Person {
   virtual ~Person() = default;
   virtual Session& session() = 0;
   virtual void take(ToolId tool) = 0;
-  virtual void drag(Pane pane, Vec2 from, Vec2 to) = 0;
+  /// `isFree`: only the start of the drag may snap.
+  virtual void drag(Pane pane, Vec2 from, Vec2 to, bool isFree = false) = 0;
   virtual void click(Pane pane, Vec2 at) = 0;
   virtual void press(Key key) = 0;
   virtual void press(char key) = 0;
@@ -37,9 +38,7 @@ class Person {
 inline bool foldOnSheet(Person& person, Vec2 from, Vec2 to, char type, Vec2 moving) {
   const std::size_t before = person.session().document().count();
   person.take(ToolId::Line);
-  person.holdControl(true);
-  person.drag(Pane::Sheet, from, to);
-  person.holdControl(false);
+  person.drag(Pane::Sheet, from, to, true);
   person.press(type);
   person.wait();
   const auto movesIt = [&] {

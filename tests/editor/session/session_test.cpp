@@ -225,7 +225,7 @@ TEST(Session, TheRightButtonTurnsTheModelAndNoTool) {
   Hand hand(runner);
   hand.open("square 100");
   const Vec3 before = hand.map().frame.toEye;
-  hand.drag({50, 50}, {80, 60}, PointerButton::Right);
+  hand.drag({50, 50}, {80, 60}, false, PointerButton::Right);
   EXPECT_GT(distance(hand.map().frame.toEye, before), 0.1);
   EXPECT_FALSE(hand.session.canCommit());
 }

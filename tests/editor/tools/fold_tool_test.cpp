@@ -14,6 +14,20 @@ namespace {
 
 const char* const kHalved = "square 100; fold valley 50,0 50,100 to 10,50";
 
+TEST(FoldTool, ACornerIsGrabbedFromJustBesideThePaper) {
+  ToolDriver hand(ToolId::Fold, "square 100");
+  const double pixel = 1 / hand.camera.map().pixelsPerMm;
+  hand.drag({100 + 3 * pixel, 100 + 2 * pixel}, {0, 0});
+  const auto after = hand.result();
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_AT(imageOf(*after, {100, 100}), 0, 0, 0);
+  hand.key(Key::Escape);
+  hand.drag({100 + 30 * pixel, 100 + 20 * pixel}, {-30, -20});  // farther away it is a line
+  const auto along = hand.result();
+  ASSERT_TRUE(along) << along.error().message;
+  EXPECT_GT(distance(imageOf(*along, {100, 100}), Vec3{0, 0, 0}), 1);
+}
+
 TEST(FoldTool, DraggingACornerOntoAnotherFoldsTheDiagonal) {
   ToolDriver hand(ToolId::Fold, "square 100");
   hand.drag({1, 1}, {99, 99});

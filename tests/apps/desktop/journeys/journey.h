@@ -33,14 +33,15 @@ class Journey : public WindowHand, public test::Person {
     type(keys.at(tool));
     ASSERT_EQ(session().tool(), tool) << "the key of the tool does not take it up";
   }
-  void drag(Pane pane, Vec2 from, Vec2 to) override {
+  void drag(Pane pane, Vec2 from, Vec2 to, bool isFree = false) override {
     QWidget* widget = paneOf(pane);
     const QPoint start = pixel(pane, from);
     const QPoint end = pixel(pane, to);
     QTest::mouseMove(widget, start);
     QTest::mousePress(widget, Qt::LeftButton, held_, start);
-    for (int i = 1; i <= 6; ++i) move(widget, start + (end - start) * i / 6);
-    QTest::mouseRelease(widget, Qt::LeftButton, held_, end);
+    const Qt::KeyboardModifiers held = isFree ? Qt::ControlModifier : held_;
+    for (int i = 1; i <= 6; ++i) move(widget, start + (end - start) * i / 6, held);
+    QTest::mouseRelease(widget, Qt::LeftButton, held, end);
     settle();
   }
   void click(Pane pane, Vec2 at) override {
@@ -94,9 +95,9 @@ class Journey : public WindowHand, public test::Person {
   std::size_t count() { return session().document().count(); }
 
  private:
-  void move(QWidget* widget, QPoint to) {
+  void move(QWidget* widget, QPoint to, Qt::KeyboardModifiers held) {
     QMouseEvent event(QEvent::MouseMove, to, widget->mapToGlobal(QPointF(to)), Qt::NoButton,
-                      Qt::LeftButton, held_);
+                      Qt::LeftButton, held);
     QCoreApplication::sendEvent(widget, &event);
     QCoreApplication::processEvents();
   }

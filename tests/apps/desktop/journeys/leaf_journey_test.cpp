@@ -16,7 +16,7 @@ TEST_F(Journey, APalmateLeafIsFoldedCutUnfoldedSavedReloadedAndUndoneToTheStart)
   EXPECT_EQ(session().facts().facets, 12u);
   test::cutPalmateMargin(*this);
   type(Qt::Key_U, Qt::ControlModifier);
-  ASSERT_EQ(count(), 16u) << session().notice().why;  // how it opens, 12 folds, refold, cut, unfold
+  ASSERT_EQ(count(), 15u) << session().notice().why;
   const double area = areaOf(session().document().state()->pattern);
   EXPECT_EQ(session().facts().facets, 12u);
   EXPECT_TRUE(session().document().state()->collisions.empty());
