@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFullTurn = 360;
 
-bool contains(const std::vector<FacetId>& facets, FacetId facet) {
+bool holdsFacet(const std::vector<FacetId>& facets, FacetId facet) {
   return std::find(facets.begin(), facets.end(), facet) != facets.end();
 }
 
@@ -79,7 +79,7 @@ void SeenPlaces::look(Point& point, FacetId facet) const {
     if (!isDivided) continue;
     for (std::size_t i = 0; i < point.edges.size(); ++i) {
       const FacetId uppermost = uppermostAfter(point, i);
-      if (!uppermost.isValid() || contains(point.seen, uppermost)) continue;
+      if (!uppermost.isValid() || holdsFacet(point.seen, uppermost)) continue;
       point.seen.push_back(uppermost);
       waiting.push_back(uppermost);
     }
@@ -88,10 +88,10 @@ void SeenPlaces::look(Point& point, FacetId facet) const {
 
 bool SeenPlaces::has(FacetId facet, Vec2 pixels) {
   Point& point = at(pixels);
-  if (contains(point.seen, facet)) return true;
+  if (holdsFacet(point.seen, facet)) return true;
   if (point.isCovered) return false;
   look(point, facet);
-  return contains(point.seen, facet);
+  return holdsFacet(point.seen, facet);
 }
 
 }  // namespace kiri

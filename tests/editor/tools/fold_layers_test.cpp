@@ -14,10 +14,10 @@
 namespace kiri::test {
 namespace {
 
-const char* const kHalved = "square 100; fold valley 50,0 50,100 to 10,50";
+const char* const kHalvedSheet = "square 100; fold valley 50,0 50,100 to 10,50";
 
 TEST(FoldLayers, TheHandTakesTheTopFlapAlone) {
-  ToolDriver hand(ToolId::Fold, kHalved);
+  ToolDriver hand(ToolId::Fold, kHalvedSheet);
   hand.drag({99.5, 0.5}, {75, 25});  // the free corner of the left half, which lies on top
   const auto after = hand.result();
   ASSERT_TRUE(after) << after.error().message;
@@ -27,7 +27,7 @@ TEST(FoldLayers, TheHandTakesTheTopFlapAlone) {
 }
 
 TEST(FoldLayers, FromBehindTheTopFlapIsTheOneThatIsSeen) {
-  ToolDriver hand(ToolId::Fold, kHalved);
+  ToolDriver hand(ToolId::Fold, kHalvedSheet);
   hand.look(Camera::Preset::Back);
   hand.drag({99.5, 0.5}, {75, 25});
   const auto after = hand.result();
@@ -38,7 +38,7 @@ TEST(FoldLayers, FromBehindTheTopFlapIsTheOneThatIsSeen) {
 }
 
 TEST(FoldLayers, PaperJoinedAcrossTheLineComesAlong) {
-  ToolDriver hand(ToolId::Fold, kHalved);
+  ToolDriver hand(ToolId::Fold, kHalvedSheet);
   hand.drag({50.5, 0.5}, {75, 25});  // the corner at the fold: both halves hang together there
   const auto after = hand.result();
   ASSERT_TRUE(after) << after.error().message;
@@ -48,7 +48,7 @@ TEST(FoldLayers, PaperJoinedAcrossTheLineComesAlong) {
 }
 
 TEST(FoldLayers, ShiftTakesAllLayersAndAltTheTopOne) {
-  ToolDriver hand(ToolId::Fold, kHalved);
+  ToolDriver hand(ToolId::Fold, kHalvedSheet);
   hand.held.shift = true;
   hand.drag({99.5, 0.5}, {75, 25});
   EXPECT_EQ(hand.field("layers").value, static_cast<double>(LayerMode::All));
@@ -190,7 +190,7 @@ TEST(FoldLayers, WhatTheHandTakesNeverStretchesFlatPaper) {
 }
 
 TEST(FoldLayers, ARefusedStretchShowsTheHingeAndTheRemedyWorks) {
-  ToolDriver hand(ToolId::Fold, kHalved);
+  ToolDriver hand(ToolId::Fold, kHalvedSheet);
   hand.drag({40, 30}, {110, 30});  // across the crease of the first fold
   ASSERT_TRUE(hand.result());
   EXPECT_EQ(hand.count(MarkRole::Fault), 0U);
@@ -220,7 +220,7 @@ TEST(FoldLayers, WhatNoLayerCanMendIsShownWithoutARemedy) {  // thesis Fig 4.2 c
 }
 
 TEST(FoldLayers, SelectedFacetsAreTheLayersAndASelectedPointTheSide) {
-  ToolDriver hand(ToolId::Fold, kHalved);
+  ToolDriver hand(ToolId::Fold, kHalvedSheet);
   hand.selection.set({selectedFacet(hand.state(), *facetAt(hand.state().pattern, {90, 50})),
                       Selected{SelectedKind::Point, {60, 50}, {}, {}}});
   hand.drag({75, 110},
