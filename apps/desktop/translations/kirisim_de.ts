@@ -406,6 +406,14 @@
         <source>One cut through the layers of a bud makes a whole margin: this is how leaves grow lobes. Save it, or press Space to see how it came to be.</source>
         <translation>Ein Schnitt durch die Lagen einer Knospe ergibt einen ganzen Rand: So bekommen Blätter ihre Lappen. Speichern Sie es, oder drücken Sie die Leertaste und sehen Sie, wie es entstanden ist.</translation>
     </message>
+    <message>
+        <source>new colours</source>
+        <translation>neue Farben</translation>
+    </message>
+    <message>
+        <source>new title</source>
+        <translation>neuer Titel</translation>
+    </message>
 </context>
 <context>
     <name>editor/snap</name>
@@ -998,7 +1006,7 @@
     </message>
     <message>
         <source>Fans the layers under the line out, to be picked by a click (K)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fächert die Lagen unter der Linie auf, um sie anzuklicken (K)</translation>
     </message>
 </context>
 <context>
@@ -1631,6 +1639,13 @@
     </message>
 </context>
 <context>
+    <name>kiri::desktop::DialogDesk</name>
+    <message>
+        <source>Your steps cannot be kept safe from crashes: %1</source>
+        <translation>Ihre Schritte können nicht vor Abstürzen gesichert werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>kiri::desktop::DialogPrompts</name>
     <message>
         <source>KiriSim models (*.kiri);;All files (*)</source>
@@ -2097,18 +2112,6 @@
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
     </message>
-    <message>
-        <source>About KiriSim</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;KiriSim %1&lt;/h3&gt;A virtual-paper laboratory: fold, tear, cut and unfold.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pictures are drawn by %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>kiri::desktop::ModelView</name>
@@ -2467,6 +2470,21 @@
     <message>
         <source>%1 cannot be written.</source>
         <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>kiri::desktop::PropertiesDialog</name>
+    <message>
+        <source>Title and notes</source>
+        <translation>Titel und Notizen</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notizen</translation>
     </message>
 </context>
 <context>
