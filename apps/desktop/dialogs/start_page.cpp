@@ -24,7 +24,7 @@ namespace kiri::desktop {
 
 namespace {
 
-constexpr int kPicture = 132;
+constexpr int kCardPicture = 132;
 constexpr QSize kCard(164, 178);
 
 /// A file as it is now: another time of change is another picture.
@@ -154,7 +154,7 @@ QWidget* StartPage::makeGallery(const QString& title, QListWidget*& list) {
   list = new QListWidget;
   list->setAccessibleName(title);
   list->setViewMode(QListView::IconMode);
-  list->setIconSize({kPicture, kPicture});
+  list->setIconSize({kCardPicture, kCardPicture});
   list->setGridSize(kCard);
   list->setMovement(QListView::Static);
   list->setResizeMode(QListView::Adjust);
@@ -188,7 +188,7 @@ void StartPage::fill(QListWidget& list, const QStringList& paths) {
       item->setData(Qt::UserRole, path);
       item->setToolTip(path);
       item->setSizeHint(kCard);
-      QPixmap empty(kPicture, kPicture);
+      QPixmap empty(kCardPicture, kCardPicture);
       empty.fill(Qt::transparent);
       item->setIcon(QIcon(empty));
     }
@@ -211,7 +211,7 @@ void StartPage::askPicture(QListWidgetItem& item, const QString& path) {
   const double ratio = devicePixelRatioF();
   auto card = std::make_shared<ModelCard>();
   runner_.start({{},
-                 [path, card, pixels = static_cast<int>(kPicture * ratio),
+                 [path, card, pixels = static_cast<int>(kCardPicture * ratio),
                   alive = std::weak_ptr<Pictures>(pictures_)](const Progress& progress) {
                    if (alive.expired()) return;
                    *card = cardOf(path, pixels, [&](double done) {

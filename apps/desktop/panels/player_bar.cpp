@@ -17,8 +17,8 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr int kFrame = 16;      // ms: 60 pictures a second
-constexpr double kTicks = 100;  // of the slider for a second
+constexpr int kFrame = 16;          // ms: 60 pictures a second
+constexpr double kFilmTicks = 100;  // of the slider for a second
 constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4};
 constexpr int kNormalSpeed = 2;  // index
 
@@ -151,7 +151,7 @@ void PlayerBar::scrub(int ticks) {
   Session& session = hub_.session();
   if (!session.isPlayerOpen()) return;
   session.player().pause();
-  session.player().seek(ticks / kTicks);
+  session.player().seek(ticks / kFilmTicks);
   session.playerMoved();
   refresh();
 }
@@ -193,8 +193,8 @@ void PlayerBar::refresh() {
     place_->setText({});
     return;
   }
-  slider_->setRange(0, static_cast<int>(std::lround(player.duration() * kTicks)));
-  slider_->setValue(static_cast<int>(std::lround(player.seconds() * kTicks)));
+  slider_->setRange(0, static_cast<int>(std::lround(player.duration() * kFilmTicks)));
+  slider_->setValue(static_cast<int>(std::lround(player.seconds() * kFilmTicks)));
   place_->setText(tr("step %1 of %2").arg(player.step()).arg(steps));
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kWidth = 104;
 constexpr int kMargin = 3;
 constexpr int kPadding = 6;
-constexpr int kSign = 16;  // of a step that does not apply
+constexpr int kStepSign = 16;  // of a step that does not apply
 
 }  // namespace
 
@@ -59,8 +59,8 @@ void StepDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->drawText(words, Qt::AlignHCenter | Qt::AlignVCenter, text);
   painter->setOpacity(1);
   if (!problem.isEmpty()) {
-    const QRect sign(static_cast<int>(card.right()) - kSign - 4, static_cast<int>(card.top()) + 4,
-                     kSign, kSign);
+    const QRect sign(static_cast<int>(card.right()) - kStepSign - 4,
+                     static_cast<int>(card.top()) + 4, kStepSign, kStepSign);
     icon("warning").paint(painter, sign);
   }
   painter->restore();

@@ -9,10 +9,10 @@
 namespace kiri::test {
 namespace {
 
-const char* const kHalved = "square 100; fold mid valley 50,0 50,100 to 10,50";
+const char* const kHalvedAtMid = "square 100; fold mid valley 50,0 50,100 to 10,50";
 
 TEST(AngleTool, ACreaseThatIsPulledOpensItsFold) {
-  ToolDriver hand(ToolId::Angle, kHalved);
+  ToolDriver hand(ToolId::Angle, kHalvedAtMid);
   hand.drag({50, 40}, {20, 40});
   ASSERT_TRUE(hand.proposal());
   const auto step = std::get<AngleStep>(hand.step().action);
@@ -24,13 +24,13 @@ TEST(AngleTool, ACreaseThatIsPulledOpensItsFold) {
 }
 
 TEST(AngleTool, PulledFarEnoughTheFoldLiesFlat) {
-  ToolDriver hand(ToolId::Angle, kHalved);
+  ToolDriver hand(ToolId::Angle, kHalvedAtMid);
   hand.drag({50, 40}, {-40, 40});
   EXPECT_EQ(std::get<AngleStep>(hand.step().action).angle, 0);
 }
 
 TEST(AngleTool, TheAngleCanBeTypedAndStepped) {
-  ToolDriver hand(ToolId::Angle, kHalved);
+  ToolDriver hand(ToolId::Angle, kHalvedAtMid);
   hand.click({50, 40});
   EXPECT_FALSE(hand.proposal());  // as it is
   hand.set("angle", 72.5);
@@ -41,7 +41,7 @@ TEST(AngleTool, TheAngleCanBeTypedAndStepped) {
 }
 
 TEST(AngleTool, ACreaseUnderThePointerLightsUp) {
-  ToolDriver hand(ToolId::Angle, kHalved);
+  ToolDriver hand(ToolId::Angle, kHalvedAtMid);
   hand.hover({80, 40});
   EXPECT_EQ(hand.count(MarkRole::Hovered), 0U);
   hand.hover({50, 40});
@@ -50,7 +50,7 @@ TEST(AngleTool, ACreaseUnderThePointerLightsUp) {
 }
 
 TEST(AngleTool, EscapeLeavesTheFoldAsItIs) {
-  ToolDriver hand(ToolId::Angle, kHalved);
+  ToolDriver hand(ToolId::Angle, kHalvedAtMid);
   hand.drag({50, 40}, {20, 40});
   EXPECT_TRUE(hand.key(Key::Escape).isHandled);
   EXPECT_FALSE(hand.proposal());
@@ -58,7 +58,7 @@ TEST(AngleTool, EscapeLeavesTheFoldAsItIs) {
 }
 
 TEST(AngleTool, FromBehindItPullsTheSameWay) {
-  ToolDriver hand(ToolId::Angle, kHalved);
+  ToolDriver hand(ToolId::Angle, kHalvedAtMid);
   hand.look(Camera::Preset::Back);
   hand.drag({50, 40}, {-40, 40});
   EXPECT_EQ(std::get<AngleStep>(hand.step().action).angle, 0);
