@@ -9,13 +9,6 @@
 #include "editor/view/picking.h"
 
 namespace kiri {
-namespace {
-
-/// A press and a release nearer than this are a click, pixels.
-constexpr double kClick = 4;
-
-}  // namespace
-
 double handleReach(const PointerEvent& event) { return event.isTouch ? 22 : 10; }
 
 std::optional<FacetId> paperUnder(const FoldedState& state, const PaneMap& map, Vec2 a, Vec2 b) {
@@ -73,11 +66,11 @@ bool LineHand::follow(const PointerEvent& event, const Scope& scope) {
   const bool isRelease = event.action == PointerAction::Release;
   if (isRelease && event.button != PointerButton::Left) return false;
   if (held_ != Held::NewEnd) {
-    if (distance(event.at, pressedAt_) >= kClick || !isRelease) moveHandle(event.at, scope);
+    if (distance(event.at, pressedAt_) >= kDragBegins || !isRelease) moveHandle(event.at, scope);
     if (isRelease) moveToPaperUnder(scope);
   } else {
     moveNewEnd(event.at, scope);
-    if (isRelease && !isByClicks_ && distance(event.at, pressedAt_) < kClick) {
+    if (isRelease && !isByClicks_ && distance(event.at, pressedAt_) < kDragBegins) {
       isByClicks_ = true;
       return true;
     }

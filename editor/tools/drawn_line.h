@@ -16,6 +16,9 @@
 
 namespace kiri {
 
+/// The pointer must go so far, in pixels, before a press is more than a click.
+inline constexpr double kDragBegins = 4;
+
 /// How near the pointer must be to a handle to take it, pixels.
 double handleReach(const PointerEvent& event);
 

@@ -8,9 +8,6 @@
 namespace kiri {
 namespace {
 
-/// The pointer must go so far, in pixels, before a press is more than a click.
-constexpr double kDrag = 4;
-
 /// Pixels beside the paper that still count as its corner.
 constexpr double kBeside = 5;
 
@@ -93,7 +90,7 @@ Reaction FoldTool::press(const PointerEvent& event, const Scope& scope) {
 
 Reaction FoldTool::move(const PointerEvent& event, const Scope& scope) {
   if (pressed_) {
-    if (distance(event.at, pressed_->at) < kDrag) return Reaction::handled();
+    if (distance(event.at, pressed_->at) < kDragBegins) return Reaction::handled();
     startAnew(scope);
   }
   if (phase_ == Phase::Grabbing) {

@@ -27,7 +27,7 @@ Stretch coveredAround(const std::vector<Crossed>& crossed, Stretch around, doubl
 Stretch joined(Stretch a, Stretch b) { return {std::min(a.from, b.from), std::max(a.to, b.to)}; }
 
 /// So long that the line leaves the paper on both sides.
-Stretch endless(const FoldedState& state, const FacetLine& line) {
+Stretch endlessStretch(const FoldedState& state, const FacetLine& line) {
   const double reach = 2 * state.tolerance().sheetSize() / distance(line.from, line.to) + 1;
   return {-reach, reach};
 }
@@ -136,7 +136,7 @@ void LayerPicker::look(const Scope& scope, const FacetLine& line, std::optional<
                        Pane pane, const FoldHand& hand) {
   const FoldedState& state = *scope.state;
   const Vec3 up = seenUp(state, scope.map(pane), {line.facet, lerp(line.from, line.to, 0.5)});
-  const Stretch drawn = hand.isEndless ? endless(state, line) : Stretch{0, 1};
+  const Stretch drawn = hand.isEndless ? endlessStretch(state, line) : Stretch{0, 1};
 
   std::vector<FacetId> seeds;
   if (grabbed) {
@@ -168,7 +168,7 @@ void LayerPicker::look(const Scope& scope, const FacetLine& line, std::optional<
 
 /// Facets picked one by one are meant, also where the line as drawn does not reach them.
 void LayerPicker::reachChosen(const FoldedState& state, const FacetLine& line) {
-  const std::vector<Crossed> all = crossedBy(state, line, endless(state, line));
+  const std::vector<Crossed> all = crossedBy(state, line, endlessStretch(state, line));
   for (const FacetId facet : taken_) {
     const Crossed* nearest = nullptr;
     double least = 0;

@@ -7,12 +7,6 @@
 #include "editor/tools/tool_fields.h"
 
 namespace kiri {
-namespace {
-
-constexpr double kDrag = 4;  ///< pixels before a press is more than a click
-
-}  // namespace
-
 /// The construction stays chosen: it is how lines are placed, not what was begun.
 void LineTool::reset() {
   const Construction kind = kind_;
@@ -67,7 +61,7 @@ Reaction LineTool::byHand(const PointerEvent& event, const Scope& scope) {
     return Reaction::handled();
   }
   if (pressed_ && event.action == PointerAction::Move) {
-    if (distance(event.at, pressed_->at) < kDrag) return Reaction::handled();
+    if (distance(event.at, pressed_->at) < kDragBegins) return Reaction::handled();
     const PointerEvent press = *pressed_;
     reset();
     pane_ = press.pane;

@@ -12,8 +12,6 @@
 namespace kiri {
 namespace {
 
-constexpr double kDrag = 4;  ///< pixels before a press is more than a click
-
 Selection with(Selection selection, const std::vector<Selected>& picked, bool adds) {
   if (!adds) {
     selection.set(picked);
@@ -79,7 +77,7 @@ Reaction SelectTool::pointer(const PointerEvent& event, const Scope& scope) {
     return Reaction::ignored();
   }
   if (event.pane == pressed_->pane) at_ = event.at;
-  isBand_ |= kind_ == SelectedKind::Facet && distance(at_, pressed_->at) >= kDrag;
+  isBand_ |= kind_ == SelectedKind::Facet && distance(at_, pressed_->at) >= kDragBegins;
   return Reaction::handled();
 }
 
