@@ -108,7 +108,9 @@ Reaction AddEdgeTool::setField(const std::string& id, const FieldValue& value, c
     project(scope);
     return Reaction::handled();
   }
-  const bool isKnown = hand_.setField(id, value) || layers_.setField(id, value);
+  const auto here = trace(scope);
+  const bool isKnown =
+      hand_.setField(id, value) || (here && layers_.setField(id, value, *scope.state, *here));
   return isKnown ? Reaction::handled() : Reaction::ignored();
 }
 

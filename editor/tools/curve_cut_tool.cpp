@@ -92,7 +92,10 @@ std::vector<Field> CurveCutTool::fields(const Scope& scope) const {
 Reaction CurveCutTool::setField(const std::string& id, const FieldValue& value,
                                 const Scope& scope) {
   if (!isBusy()) return Reaction::ignored();
-  if (!curve_.setField(id, value, scope) && !cut_.setField(id, value)) return Reaction::ignored();
+  if (!curve_.setField(id, value, scope)) {
+    const auto here = line(scope);
+    if (!here || !cut_.setField(id, value, scope, *here)) return Reaction::ignored();
+  }
   looksAtParts(scope);
   return Reaction::handled();
 }

@@ -80,8 +80,9 @@ void CutHand::addFields(const Scope& scope, const Line& line, std::vector<Field>
   keep_.addFields(fields);
 }
 
-bool CutHand::setField(const std::string& id, const FieldValue& value) {
-  return layers_.setField(id, value) || keep_.setField(id, value);
+bool CutHand::setField(const std::string& id, const FieldValue& value, const Scope& scope,
+                       const Line& line) {
+  return layers_.setField(id, value, *scope.state, line.trace) || keep_.setField(id, value);
 }
 
 }  // namespace kiri

@@ -41,7 +41,8 @@ class CutHand {
   Step step(const Scope& scope, const Line& line, bool isResting) const;
   void addMarks(const Scope& scope, Marks& marks) const { keep_.addMarks(*scope.state, marks); }
   void addFields(const Scope& scope, const Line& line, std::vector<Field>& fields) const;
-  bool setField(const std::string& id, const FieldValue& value);
+  bool setField(const std::string& id, const FieldValue& value, const Scope& scope,
+                const Line& line);
   const KeepChoice& keep() const { return keep_; }
 
  private:

@@ -129,19 +129,31 @@ void CutLayers::walk(int layers, const Scope& scope, const PlaneTrace& trace) {
   isChosen_ = true;
 }
 
+/// Only what can make a difference, so that the bar stays short.
+std::vector<CutLayers::Mode> CutLayers::offered(const FoldedState& state,
+                                                const PlaneTrace& trace) const {
+  const Mode mode = modeFor(state, trace);
+  std::vector<Mode> modes{Mode::All, Mode::Top};
+  if (trace.pane == Pane::Sheet || mode == Mode::Drawn) modes.push_back(Mode::Drawn);
+  if (canGoThrough_ && (!isFlat(state) || mode == Mode::Through)) modes.push_back(Mode::Through);
+  return modes;
+}
+
 void CutLayers::addFields(const Scope& scope, const PlaneTrace& trace,
                           std::vector<Field>& fields) const {
   const Mode mode = modeFor(*scope.state, trace);
+  const Phrase names[] = {{KIRI_TEXT("editor/tools", "All layers"), {}},
+                          {KIRI_TEXT("editor/tools", "Uppermost"), {}},
+                          {KIRI_TEXT("editor/tools", "As drawn on the sheet"), {}},
+                          {KIRI_TEXT("editor/tools", "Straight through everything"), {}}};
   Field layers;
   layers.id = "layers";
   layers.label = {KIRI_TEXT("editor/tools", "Layers"), {}};
   layers.kind = Field::Kind::Choice;
-  layers.value = static_cast<double>(mode);
-  layers.options = {{KIRI_TEXT("editor/tools", "All layers"), {}},
-                    {KIRI_TEXT("editor/tools", "Uppermost"), {}},
-                    {KIRI_TEXT("editor/tools", "As drawn on the sheet"), {}}};
-  if (canGoThrough_ && (!isFlat(*scope.state) || mode == Mode::Through))
-    layers.options.push_back({KIRI_TEXT("editor/tools", "Straight through everything"), {}});
+  for (const Mode offer : offered(*scope.state, trace)) {
+    if (offer == mode) layers.value = static_cast<double>(layers.options.size());
+    layers.options.push_back(names[static_cast<std::size_t>(offer)]);
+  }
   layers.help = {
       KIRI_TEXT("editor/tools", "Which layers are taken; the wheel with Ctrl walks them"), {}};
   fields.push_back(layers);
@@ -156,13 +168,14 @@ void CutLayers::addFields(const Scope& scope, const PlaneTrace& trace,
   fields.push_back(count);
 }
 
-bool CutLayers::setField(const std::string& id, const FieldValue& value) {
+bool CutLayers::setField(const std::string& id, const FieldValue& value, const FoldedState& state,
+                         const PlaneTrace& trace) {
   if (id != "layers" && id != "count") return false;
   if (!std::isfinite(value.number)) return true;
   if (id == "layers") {
-    const int most = static_cast<int>(canGoThrough_ ? Mode::Through : Mode::Drawn);
-    mode_ = static_cast<Mode>(
-        std::clamp(static_cast<int>(std::clamp(value.number, 0.0, 3.0)), 0, most));
+    const std::vector<Mode> modes = offered(state, trace);
+    const auto last = static_cast<double>(modes.size() - 1);
+    mode_ = modes[static_cast<std::size_t>(std::clamp(value.number, 0.0, last))];
   } else {
     constexpr double kMost = 1000000;
     mode_ = Mode::Top;

@@ -46,9 +46,12 @@ class CutLayers {
   /// "layers" (choice), and "count" while that is "uppermost".
   void addFields(const Scope& scope, const PlaneTrace& trace, std::vector<Field>& fields) const;
   /// True when `id` is one of these fields.
-  bool setField(const std::string& id, const FieldValue& value);
+  bool setField(const std::string& id, const FieldValue& value, const FoldedState& state,
+                const PlaneTrace& trace);
 
  private:
+  std::vector<Mode> offered(const FoldedState& state, const PlaneTrace& trace) const;
+
   bool canGoThrough_;
   bool isChosen_ = false;
   Mode mode_ = Mode::All;

@@ -105,7 +105,10 @@ std::vector<Field> StraightCutTool::fields(const Scope& scope) const {
 Reaction StraightCutTool::setField(const std::string& id, const FieldValue& value,
                                    const Scope& scope) {
   if (!isBusy()) return Reaction::ignored();
-  if (!hand_.setField(id, value) && !cut_.setField(id, value)) return Reaction::ignored();
+  if (!hand_.setField(id, value)) {
+    const auto here = line(scope);
+    if (!here || !cut_.setField(id, value, scope, *here)) return Reaction::ignored();
+  }
   looksAtParts(scope);
   return Reaction::handled();
 }

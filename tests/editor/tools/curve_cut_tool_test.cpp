@@ -331,7 +331,7 @@ TEST(CurveCutTool, AHalfFoldedModelIsCutStraightThroughWhenAsked) {
   EXPECT_FALSE(hand.hasField("layers"));
   clickAll(hand, {{20, 30}, {110, 20}, {110, 60}, {20, 50}});
   hand.key(Key::Enter);
-  hand.set("layers", 3);
+  hand.set("layers", 2);
   const CurveCutStep step = curveOf(hand.step());
   EXPECT_EQ(step.frame, Frame::Model);
   EXPECT_TRUE(std::holds_alternative<ThroughAll>(step.layers));

@@ -107,7 +107,7 @@ TEST(StraightCutTool, GoesStraightThroughAHalfFoldedModel) {
   ToolDriver hand =
       handOn(ToolId::StraightCut, run("square 100; fold A valley 60 50,0 50,100 left"));
   hand.drag({20, 50}, {120, 50});
-  hand.set("layers", 3);
+  hand.set("layers", 2);
   const auto after = hand.result();
   ASSERT_TRUE(after);
   EXPECT_EQ(pieceCount(*after), 1U);
