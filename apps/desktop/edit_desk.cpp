@@ -43,7 +43,11 @@ EditDesk::EditDesk(SessionHub& hub, Actions& actions, PlayerBar& player, QObject
 }
 
 void EditDesk::on(const QString& id, std::function<void()> what) {
-  connect(&actions_[id], &QAction::triggered, this, [what = std::move(what)] { what(); });
+  connect(&actions_[id], &QAction::triggered, this, [this, what = std::move(what)] {
+    what();
+    // Keys may follow each other faster than the window is idle: what is possible now is known now.
+    hub_.flush();
+  });
 }
 
 void EditDesk::press(Key key, char character) {
@@ -62,10 +66,6 @@ void EditDesk::connectTools() {
   on("commit", [this] { press(Key::Enter); });
   on("cancel", [this] { press(Key::Escape); });
   on("delete", [this] { press(Key::Delete); });
-  QAction& snap = actions_["snap"];
-  snap.setChecked(hub_.session().snaps().isOn);
-  connect(&snap, &QAction::toggled, this,
-          [this](bool isOn) { hub_.session().snaps().isOn = isOn; });
 }
 
 void EditDesk::connectHistory() {

@@ -69,21 +69,21 @@ void FileDesk::askAndOpen() {
   });
 }
 
-void FileDesk::show(Model model) {
+void FileDesk::show(const Model& model) {
   isBusy_ = true;
   auto reading = std::make_shared<Reading>();
-  hub_.runner().start({{QT_TRANSLATE_NOOP("editor/session", "Folding the model"), {}},
-                       [reading, model = std::move(model)](const Progress&) mutable {
-                         Result<Document> made = Document::create(std::move(model));
-                         if (made) {
-                           reading->document = std::move(*made);
-                         } else {
-                           reading->error = made.error();
-                         }
-                       },
-                       [desk = QPointer<FileDesk>(this), reading] {
-                         if (desk) desk->finishReading(*reading, {});
-                       }});
+  const auto work = [reading, model](const Progress& progress) {
+    Result<Document> made = Document::create(model, progress);
+    if (made) {
+      reading->document = std::move(*made);
+    } else {
+      reading->error = made.error();
+    }
+  };
+  const auto done = [desk = QPointer<FileDesk>(this), reading] {
+    if (desk) desk->finishReading(*reading, {});
+  };
+  hub_.runner().start({{QT_TRANSLATE_NOOP("editor/session", "Folding the model"), {}}, work, done});
 }
 
 void FileDesk::read(const QString& path) {
@@ -91,14 +91,14 @@ void FileDesk::read(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   auto reading = std::make_shared<Reading>();
   const auto work = [reading, file = absolute.toStdString(),
-                     name = QFileInfo(path).fileName().toStdString()](const Progress&) {
+                     name = QFileInfo(path).fileName().toStdString()](const Progress& progress) {
     const auto fail = [&](const Error& error) { reading->error = error; };
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return fail(bytes.error());
     Result<LoadedModel> loaded = readKiri(*bytes, name);
     if (!loaded) return fail(loaded.error());
     for (const std::string& warning : loaded->warnings) reading->warnings << toQt(warning);
-    Result<Document> made = Document::create(std::move(loaded->model));
+    Result<Document> made = Document::create(std::move(loaded->model), progress);
     if (!made) return fail(made.error());
     reading->document = std::move(*made);
     reading->document->setPath(file);
@@ -113,6 +113,7 @@ void FileDesk::read(const QString& path) {
 
 void FileDesk::finishReading(const Reading& reading, const QString& path) {
   isBusy_ = false;
+  if (reading.error && reading.error->code == ErrorCode::Cancelled) return;
   if (reading.error) {
     if (!path.isEmpty()) settings_.removeRecentFile(path);
     return tell(tr("The model cannot be opened"), toQt(reading.error->message));
@@ -145,7 +146,7 @@ void FileDesk::write(const QString& path, std::function<void()> then) {
   const Document& document = hub_.session().document();
   auto problem = std::make_shared<std::optional<Error>>();
   const auto work = [problem, file = path.toStdString(),
-                     model = document.model()](const Progress&) {
+                     model = document.modelToSave()](const Progress&) {
     const Status written = writeFile(file, writeKiri(model));
     if (!written) *problem = written.error();
   };

@@ -48,7 +48,7 @@ class FileDesk final : public QObject {
  private:
   struct Reading;
   void read(const QString& path);
-  void show(Model model);
+  void show(const Model& model);
   void finishReading(const Reading& reading, const QString& path);
   void write(const QString& path, std::function<void()> then);
   void saveThen(std::function<void()> then);

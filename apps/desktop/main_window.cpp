@@ -6,12 +6,11 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "apps/desktop/look/icons.h"
+#include "apps/desktop/help_box.h"
 #include "apps/desktop/look/theme.h"
 
 namespace kiri::desktop {
@@ -52,6 +51,7 @@ MainWindow::MainWindow(PoolRunner& runner, Settings& settings, Options options, 
   connectParts();
   restoreLayout();
   refreshTitle();
+  modelView_->setFocus();
 }
 
 MainWindow::~MainWindow() = default;
@@ -72,6 +72,7 @@ void MainWindow::makeCentre(ModelView::Drawing drawing) {
   splitter_->addWidget(sheetView_);
   splitter_->setStretchFactor(0, 5);
   splitter_->setStretchFactor(1, 3);
+  splitter_->setSizes({5000, 3000});  // shares, until the person has chosen
   column->addWidget(fieldBar_);
   column->addWidget(splitter_, 1);
   // Keys that mean other things elsewhere work in the panes and in the bar above them.
@@ -89,6 +90,7 @@ void MainWindow::connectFiles() {
   on("save", [this] { files_->save(); });
   on("save-as", [this] { files_->saveAs(); });
   on("quit", [this] { close(); });
+  on("help", [this] { openHelp(*this, actions_); });
   connect(files_, &FileDesk::opened, this, [this] { modelView_->setFocus(); });
   connect(files_, &FileDesk::saved, this, [this](const QString& path) {
     status_->say(Notice::Kind::Done, tr("Saved as %1").arg(path));

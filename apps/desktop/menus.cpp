@@ -89,7 +89,7 @@ Menus makeMenus(QMainWindow& window, Actions& actions) {
            "rotate-left", "rotate-right", "-",        "unfold-all", "refold-all", "mend-all"};
   menu(window, tr("F&old"), actions, fold);
   QMenu* view = viewMenu(window, actions);
-  menus.panels = view->addMenu(tr("Pa&nels"));
+  menus.panels = view->addMenu(tr("Pane&ls"));
   fill(*view, actions, {"full-screen"});
   menu(window, tr("&Play"), actions,
        {"play", "stop", "-", "skip-back", "skip-forward", "-", "slower", "faster", "loop"});

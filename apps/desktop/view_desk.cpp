@@ -48,6 +48,8 @@ void ViewDesk::applyPreferences() {
   const Preferences& preferences = settings_.preferences();
   actions_["perspective"].setChecked(preferences.hasPerspective);
   hub_.session().camera().setPerspective(preferences.hasPerspective ? preferences.fieldOfView : 0);
+  hub_.session().snaps() = preferences.snaps;
+  actions_["snap"].setChecked(preferences.snaps.isOn);
   hub_.session().viewChanged();
   Display display = look_.display();
   display.lineStyle = preferences.lineStyle;
@@ -66,6 +68,11 @@ void ViewDesk::connectEyes() {
     preferences.hasPerspective = isOn;
     settings_.setPreferences(preferences);
     applyPreferences();
+  });
+  connect(&actions_["snap"], &QAction::toggled, this, [this](bool isOn) {
+    Preferences preferences = settings_.preferences();
+    preferences.snaps.isOn = isOn;
+    settings_.setPreferences(preferences);
   });
   connect(&actions_["sheet-back"], &QAction::toggled, this, [this](bool isOn) {
     hub_.session().sheetCamera().setShowsBack(isOn);

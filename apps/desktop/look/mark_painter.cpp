@@ -22,6 +22,15 @@ bool isSane(QPointF p) {
          std::abs(p.y()) < kFarPixels;
 }
 
+/// Where an arrow comes from: a place far enough back on its line to tell a direction.
+QPointF tailOf(const std::vector<QPointF>& line) {
+  const QPointF tip = line.back();
+  for (auto place = line.rbegin(); place != line.rend(); ++place) {
+    if (std::hypot(place->x() - tip.x(), place->y() - tip.y()) > kArrow) return *place;
+  }
+  return line.front();
+}
+
 QPainterPath arrowHead(QPointF from, QPointF to) {
   const QPointF along = to - from;
   const double length = std::hypot(along.x(), along.y());
@@ -97,13 +106,14 @@ void MarkPainter::paintPath(const PathMark& mark) {
     points.push_back(*at);
   }
   if (points.size() < 2) return;
-  const MarkPen pen = penOf(mark.role, style_);
+  MarkPen pen = penOf(mark.role, style_);
+  if (mark.hasArrow) pen.dashes.clear();  // a movement, not a crease
   QPainterPath path(points.front());
   for (std::size_t i = 1; i < points.size(); ++i) path.lineTo(points[i]);
   if (mark.isClosed) path.closeSubpath();
   stroke(path, pen);
   if (mark.hasArrow) {
-    const QPainterPath head = arrowHead(points[points.size() - 2], points.back());
+    const QPainterPath head = arrowHead(tailOf(points), points.back());
     painter_.setPen(QPen(pen.casing, 2));
     painter_.setBrush(pen.color);
     painter_.drawPath(head);

@@ -34,6 +34,8 @@ QFrame#fieldBar { border-bottom: 1px solid $line$; }
 QFrame#player { border-top: 1px solid $line$; }
 QToolButton[segment="true"] { border: 1px solid $line$; border-radius: 0; padding: 3px 9px; }
 QToolButton[segment="true"]:checked { background: $chosen$; border-color: $accent$; }
+QToolButton#commit { background: $accent$; color: $accentText$; font-weight: 600; padding: 5px 14px; }
+QToolButton#commit:hover { background: $accentHover$; }
 QSlider::groove:horizontal { height: 4px; background: $line$; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: $accent$; border-radius: 2px; }
 QSlider::sub-page:horizontal:disabled { background: $line$; }
@@ -56,6 +58,8 @@ QString styleSheetOf(const Theme& theme) {
       {"text", theme.text},
       {"line", theme.line},
       {"accent", theme.accent},
+      {"accentText", theme.accentText},
+      {"accentHover", theme.accent.lighter(115)},
       {"hover", hover},
       {"chosen", chosen},
       {"faint", theme.faintText},

@@ -24,13 +24,22 @@ class FieldBar final : public QFrame {
   void setTool(const QAction& tool);
   FieldEditor& editor() { return *editor_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void refresh();
+  void fit();
+  void showMore();
+  void tell(const QString& id, const FieldValue& value);
 
   SessionHub& hub_;
   QLabel* picture_;
   QLabel* name_;
+  QScrollArea* room_;
   FieldEditor* editor_;
+  QToolButton* more_;
+  FieldEditor* rest_;  ///< what the bar has no room for, in a window of its own
   QToolButton* commit_;
   QToolButton* cancel_;
 };

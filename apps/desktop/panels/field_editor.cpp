@@ -21,7 +21,10 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr std::size_t kMostSegments = 4;  // more options are a list that drops down
+constexpr int kTextWidth = 110;
+constexpr int kSpacing = 6;               // between a name and its box
+constexpr int kBetween = 20;              // between one field and the next
+constexpr std::size_t kMostSegments = 3;  // more options are a list that drops down
 
 bool isOfTheSameMake(const Field& a, const Field& b) {
   return a.id == b.id && a.kind == b.kind && a.unit == b.unit && a.options == b.options &&
@@ -62,7 +65,7 @@ void FieldEditor::rebuild(const std::vector<Field>& fields) {
   if (layout_ == Layout::Row) {
     auto* row = new QHBoxLayout(inside_);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    row->setSpacing(kSpacing);
   } else {
     auto* form = new QFormLayout(inside_);
     form->setContentsMargins(0, 0, 0, 0);
@@ -106,11 +109,12 @@ void FieldEditor::add(const Field& field) {
     form->addRow(saysItself ? QString() : label, row.widget);
   } else {
     auto* line = static_cast<QHBoxLayout*>(inside_->layout());
-    if (!line->isEmpty()) line->addSpacing(10);
+    if (!line->isEmpty()) line->addSpacing(kBetween - 2 * kSpacing);
     if (!saysItself && !label.isEmpty()) {
       auto* name = new QLabel(label, inside_);
       name->setProperty("faint", true);
       name->setBuddy(row.widget);
+      row.label = name;
       line->addWidget(name);
     }
     line->addWidget(row.widget);
@@ -122,7 +126,7 @@ FieldEditor::Row FieldEditor::makeNumber(const Field& field) {
   auto* box = new UnitBox(inside_);
   box->setUnit(toQt(field.unit));
   box->setKeyboardTracking(layout_ == Layout::Row);
-  box->setMinimumWidth(84);
+  box->setMinimumWidth(76);
   connect(box, &QDoubleSpinBox::valueChanged, this,
           [this, id = field.id](double value) { tell(id, value); });
   const auto update = [box](const Field& now) {
@@ -133,15 +137,18 @@ FieldEditor::Row FieldEditor::makeNumber(const Field& field) {
     const bool isTyping = box->hasFocus() && std::abs(box->value() - now.value) < 0.001;
     if (!isTyping) box->setValue(now.value);
   };
-  return {{}, box, update};
+  return {{}, box, nullptr, update};
 }
 
 FieldEditor::Row FieldEditor::makeChoice(const Field& field) {
   auto* box = new QComboBox(inside_);
+  // A long option must not make the panel wider than it is.
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(layout_ == Layout::Row ? 9 : 6);
   for (const Phrase& option : field.options) box->addItem(said(option));
   connect(box, &QComboBox::currentIndexChanged, this,
           [this, id = field.id](int index) { tell(id, index); });
-  return {{}, box, [box](const Field& now) {
+  return {{}, box, nullptr, [box](const Field& now) {
             box->setCurrentIndex(static_cast<int>(std::lround(now.value)));
           }};
 }
@@ -165,7 +172,7 @@ FieldEditor::Row FieldEditor::makeSegments(const Field& field) {
   }
   connect(group, &QButtonGroup::idClicked, this,
           [this, id = field.id](int index) { tell(id, index); });
-  return {{}, row, [group](const Field& now) {
+  return {{}, row, nullptr, [group](const Field& now) {
             if (QAbstractButton* button = group->button(static_cast<int>(std::lround(now.value)))) {
               button->setChecked(true);
             }
@@ -176,11 +183,12 @@ FieldEditor::Row FieldEditor::makeSwitch(const Field& field) {
   auto* box = new QCheckBox(said(field.label), inside_);
   connect(box, &QCheckBox::toggled, this,
           [this, id = field.id](bool isOn) { tell(id, isOn ? 1 : 0); });
-  return {{}, box, [box](const Field& now) { box->setChecked(now.value > 0.5); }};
+  return {{}, box, nullptr, [box](const Field& now) { box->setChecked(now.value > 0.5); }};
 }
 
 FieldEditor::Row FieldEditor::makeText(const Field& field) {
   auto* line = new QLineEdit(inside_);
+  if (layout_ == Layout::Row) line->setFixedWidth(kTextWidth);
   const auto changed = [this, line, id = field.id] { tell(id, 0, line->text()); };
   if (layout_ == Layout::Row) {
     connect(line, &QLineEdit::textEdited, this, changed);
@@ -190,7 +198,7 @@ FieldEditor::Row FieldEditor::makeText(const Field& field) {
       line->setModified(false);
     });
   }
-  return {{}, line, [line](const Field& now) {
+  return {{}, line, nullptr, [line](const Field& now) {
             const QString text = toQt(now.text);
             if (line->text() != text && !(line->hasFocus() && line->isModified())) {
               line->setText(text);
@@ -202,7 +210,7 @@ FieldEditor::Row FieldEditor::makeButton(const Field& field) {
   auto* button = new QPushButton(said(field.label), inside_);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QPushButton::clicked, this, [this, id = field.id] { tell(id, 1); });
-  return {{}, button, [](const Field&) {}};
+  return {{}, button, nullptr, [](const Field&) {}};
 }
 
 void FieldEditor::tell(const std::string& id, double number, const QString& text) {
@@ -215,6 +223,20 @@ QWidget* FieldEditor::widgetOf(const std::string& id) const {
     if (row.id == id) return row.widget;
   }
   return nullptr;
+}
+
+std::size_t FieldEditor::fitInto(int width) {
+  std::size_t shown = 0;
+  int used = 0;
+  for (const Row& row : rows_) {
+    used += row.widget->sizeHint().width() + kBetween;
+    if (row.label) used += row.label->sizeHint().width() + kSpacing;
+    const bool fits = shown == static_cast<std::size_t>(&row - rows_.data()) && used <= width;
+    row.widget->setVisible(fits);
+    if (row.label) row.label->setVisible(fits);
+    shown += fits ? 1 : 0;
+  }
+  return shown;
 }
 
 bool FieldEditor::focusFirst() {

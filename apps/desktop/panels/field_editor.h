@@ -26,6 +26,8 @@ class FieldEditor final : public QWidget {
   const std::vector<Field>& fields() const { return fields_; }
   /// The widget of a field, for focus and for tests; none where there is no such field.
   QWidget* widgetOf(const std::string& id) const;
+  /// Row: shows as many fields as `width` pixels hold, hides the rest, and says how many are shown.
+  std::size_t fitInto(int width);
   /// Puts the cursor into the first number.
   bool focusFirst();
 
@@ -36,6 +38,7 @@ class FieldEditor final : public QWidget {
   struct Row {
     std::string id;
     QWidget* widget = nullptr;
+    QWidget* label = nullptr;  ///< beside it in a row; none where the widget says itself what it is
     std::function<void(const Field&)> update;
   };
   bool fits(const std::vector<Field>& fields) const;

@@ -46,10 +46,12 @@ FoldsPanel::FoldsPanel(SessionHub& hub, QWidget* parent)
   column->addWidget(empty_);
   column->addWidget(rows_, 1);
   column->addWidget(said_);
+  column->addStretch(0);
   said_->setWordWrap(true);
   said_->setContentsMargins(12, 6, 12, 8);
   empty_->setContentsMargins(12, 8, 12, 8);
   empty_->setWordWrap(true);
+  empty_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   empty_->setProperty("faint", true);
   connect(rows_, &FoldRows::held, this,
           [this](FoldLineId line) { hub_.session().beginSlide(line); });
@@ -64,6 +66,7 @@ FoldsPanel::FoldsPanel(SessionHub& hub, QWidget* parent)
 
 QWidget* FoldsPanel::makeHead() {
   auto* head = new QWidget(this);
+  head->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   auto* column = new QVBoxLayout(head);
   column->setContentsMargins(12, 10, 12, 8);
   column->setSpacing(8);

@@ -103,19 +103,20 @@ void PlayerBar::togglePlay() {
 void PlayerBar::play() {
   Session& session = hub_.session();
   if (session.isPlayerOpen()) {
-    begin();
+    session.player().play();
+    session.playerMoved();
   } else {
     session.openPlayer();  // the time line may take a while; it plays as soon as it is there
   }
   refresh();
 }
 
-void PlayerBar::begin() {
+void PlayerBar::whenOpened() {
   Player& player = hub_.session().player();
   player.setSpeed(speedAt(speed_->currentIndex()));
   player.setLoops(loop_->isChecked());
-  player.play();
-  hub_.session().playerMoved();
+  if (isHeldAtOpening_) player.pause();
+  isHeldAtOpening_ = false;
 }
 
 void PlayerBar::stop() {
@@ -169,8 +170,7 @@ void PlayerBar::refresh() {
   Player& player = session.player();
   if (isOpen != wasOpen_) {
     wasOpen_ = isOpen;
-    if (isOpen && !isHeldAtOpening_) begin();
-    isHeldAtOpening_ = false;
+    if (isOpen) whenOpened();
   }
   const bool isPlaying = isOpen && player.isPlaying();
   if (isPlaying && !timer_.isActive()) {

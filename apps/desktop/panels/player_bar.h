@@ -36,7 +36,7 @@ class PlayerBar final : public QFrame {
   void tick();
   void refresh();
   void play();
-  void begin();
+  void whenOpened();
   void scrub(int ticks);
 
   SessionHub& hub_;

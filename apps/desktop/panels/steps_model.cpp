@@ -48,8 +48,8 @@ void StepsModel::refresh() {
   rows.push_back({tr("Sheet"), {}, document.stateAfter(0)});
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::optional<Error> problem = document.problemOf(i);
-    rows.push_back({said(summaryOf(steps[i], i + 1)), problem ? toQt(problem->message) : QString(),
-                    document.stateAfter(i + 1)});
+    rows.push_back({QString::number(i + 1) + ". " + said(summaryOf(steps[i], i + 1)),
+                    problem ? toQt(problem->message) : QString(), document.stateAfter(i + 1)});
   }
   if (const QByteArray colours = coloursOf(document.model()); colours != colours_) {
     colours_ = colours;

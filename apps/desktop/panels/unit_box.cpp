@@ -70,12 +70,17 @@ QString UnitBox::textFromValue(double value) const {
   return text == "-0" ? "0" : text;
 }
 
+/// What is typed stands before the box's own unit: "4 cm mm".
+QString UnitBox::typed(const QString& text) const {
+  return text.endsWith(suffix()) ? text.chopped(suffix().size()) : text;
+}
+
 double UnitBox::valueFromText(const QString& text) const {
-  return typedNumber(text, unit_).value_or(value());
+  return typedNumber(typed(text), unit_).value_or(value());
 }
 
 QValidator::State UnitBox::validate(QString& text, int&) const {
-  const std::optional<double> number = typedNumber(text, unit_);
+  const std::optional<double> number = typedNumber(typed(text), unit_);
   if (!number) return QValidator::Intermediate;  // still being typed
   return *number >= minimum() && *number <= maximum() ? QValidator::Acceptable
                                                       : QValidator::Intermediate;

@@ -22,6 +22,8 @@ class UnitBox final : public QDoubleSpinBox {
   QValidator::State validate(QString& text, int& position) const override;
 
  private:
+  QString typed(const QString& text) const;
+
   QString unit_;
 };
 

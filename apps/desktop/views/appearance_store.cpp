@@ -2,43 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/views/appearance_store.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QImageReader>
-#include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "apps/desktop/look/convert.h"
+#include "apps/desktop/services/textures.h"
 
 namespace kiri::desktop {
 namespace {
 
-constexpr int kLargestTexture = 4096;  // pixels; what every OpenGL 3.3 takes is more
-
 std::shared_ptr<const Image> readImage(const QString& file) {
-  QImageReader reader(file);
-  reader.setAutoTransform(true);
-  const QSize size = reader.size();
-  if (size.width() > kLargestTexture || size.height() > kLargestTexture) {
-    reader.setScaledSize(size.scaled(kLargestTexture, kLargestTexture, Qt::KeepAspectRatio));
-  }
-  const QImage read = reader.read().convertToFormat(QImage::Format_RGBA8888);
-  if (read.isNull()) return nullptr;
-  auto image = std::make_shared<Image>();
-  image->width = read.width();
-  image->height = read.height();
-  const auto row = static_cast<std::size_t>(read.width()) * 4;
-  image->rgba.resize(row * static_cast<std::size_t>(read.height()));
-  for (int y = 0; y < read.height(); ++y) {
-    std::memcpy(&image->rgba[row * static_cast<std::size_t>(y)], read.constScanLine(y), row);
-  }
-  return image;
-}
-
-QString fileOf(const PaperSide& side, const std::string& model) {
-  if (side.texture.empty()) return {};
-  return QDir(QFileInfo(toQt(model)).absolutePath()).absoluteFilePath(toQt(side.texture));
+  Result<Image> image = readTexture(file);
+  return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
 }
 
 }  // namespace
@@ -56,8 +30,8 @@ void AppearanceStore::setDisplay(const Display& display) {
 
 void AppearanceStore::refresh() {
   const Document& document = hub_.session().document();
-  read(front_, readFront_, fileOf(document.model().front, document.path()));
-  read(back_, readBack_, fileOf(document.model().back, document.path()));
+  read(front_, readFront_, texturePathOf(document.model().front, toQt(document.path())));
+  read(back_, readBack_, texturePathOf(document.model().back, toQt(document.path())));
   apply();
 }
 

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <cmath>
 #include <utility>
@@ -147,7 +148,12 @@ void GlModelView::paintMarks() {
   const Marks marks = hub_.session().marks();
   if (marks.empty()) return;
   const PaneMap map = hub_.session().camera().map();
-  QPainter painter(this);
+  // Not a painter on the widget: a picture that is taken of the widget would miss the marks.
+  const qreal ratio = devicePixelRatioF();
+  QOpenGLPaintDevice device((QSizeF(size()) * ratio).toSize());
+  device.setDevicePixelRatio(ratio);
+  QPainter painter(&device);
+  painter.setFont(font());
   MarkPainter(painter, map, *state, look_.display().lineStyle).paint(marks);
 }
 
