@@ -47,7 +47,7 @@ DialogDesk::DialogDesk(QMainWindow& window, SessionHub& hub, Settings& settings,
   stack_->addWidget(start_);
   window.setCentralWidget(stack_);
   panes->show();
-  tour_ = new TourCard(hub, &view);
+  tour_ = new TourCard(hub, panes);
   connectActions();
   connectStartPage();
   connectSafety();

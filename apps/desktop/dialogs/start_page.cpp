@@ -134,10 +134,7 @@ QWidget* StartPage::makeSheets() {
   };
   for (const SheetPreset& preset : sheetPresets()) {
     connect(add(iconOf(preset), said(preset.name) + "\n" + said(preset.size)),
-            &QToolButton::clicked, this, [this, model = preset.model] {
-              emit modelChosen(model);
-              emit sheetChosen(model.sheet);
-            });
+            &QToolButton::clicked, this, [this, model = preset.model] { emit modelChosen(model); });
   }
   connect(add("new", tr("Other…")), &QToolButton::clicked, this, &StartPage::otherSheetWanted);
   row->addStretch();

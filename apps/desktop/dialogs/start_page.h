@@ -27,7 +27,6 @@ class StartPage final : public QWidget {
   void refresh();
 
  signals:
-  void sheetChosen(const kiri::SheetSpec& sheet);
   void modelChosen(const kiri::Model& model);  ///< a sheet without steps
   void otherSheetWanted();                     ///< the sheet dialog
   void openWanted();                           ///< the file dialog

@@ -116,7 +116,9 @@ void TourCard::place() {
   adjustSize();
   const int height = heightForWidth(kWidth) > 0 ? heightForWidth(kWidth) : sizeHint().height();
   resize(kWidth, height);
-  move(kMargin, std::max(kMargin, parentWidget()->height() - height - kMargin));
+  const QSize all = parentWidget()->size();
+  move(std::max(kMargin, all.width() - kWidth - kMargin),
+       std::max(kMargin, all.height() - height - kMargin));
 }
 
 bool TourCard::eventFilter(QObject* watched, QEvent* event) {

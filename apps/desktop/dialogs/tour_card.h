@@ -14,7 +14,8 @@
 
 namespace kiri::desktop {
 
-/// Floats over the lower left corner of its parent (the panes), hidden until the tour begins.
+/// Floats over the lower right corner of its parent (both panes), where the least of the paper is
+/// covered; hidden until the tour begins.
 ///
 ///   TourCard* card = new TourCard(hub, panes);
 ///   tour action, StartPage::tourWanted:
