@@ -1012,10 +1012,6 @@
 <context>
     <name>kiri::desktop</name>
     <message>
-        <source>&amp;New...</source>
-        <translation>&amp;Neu...</translation>
-    </message>
-    <message>
         <source>Take a new sheet of paper</source>
         <translation>Ein neues Blatt Papier nehmen</translation>
     </message>
@@ -1026,10 +1022,6 @@
     <message>
         <source>Open a model</source>
         <translation>Ein Modell öffnen</translation>
-    </message>
-    <message>
-        <source>Start &amp;page</source>
-        <translation>Start&amp;seite</translation>
     </message>
     <message>
         <source>New sheets, recent files and examples</source>
@@ -1076,10 +1068,6 @@
         <translation>Farben und Texturen beider Seiten des Papiers</translation>
     </message>
     <message>
-        <source>Title and n&amp;otes...</source>
-        <translation>&amp;Titel und Notizen...</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
     </message>
@@ -1114,10 +1102,6 @@
     <message>
         <source>Take away the chosen point</source>
         <translation>Den gewählten Punkt wegnehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Remove the step</source>
-        <translation>Schritt &amp;entfernen</translation>
     </message>
     <message>
         <source>Take the shown step out of the history and replay what follows</source>
@@ -1212,10 +1196,6 @@
         <translation>An einer geraden Linie schneiden</translation>
     </message>
     <message>
-        <source>Cur&amp;ve cut</source>
-        <translation>Kur&amp;venschnitt</translation>
-    </message>
-    <message>
         <source>Cut along a smooth curve</source>
         <translation>An einer glatten Kurve schneiden</translation>
     </message>
@@ -1226,10 +1206,6 @@
     <message>
         <source>Pick facets, points, vertices and lines</source>
         <translation>Flächen, Punkte, Eckpunkte und Linien wählen</translation>
-    </message>
-    <message>
-        <source>Meas&amp;ure</source>
-        <translation>&amp;Messen</translation>
     </message>
     <message>
         <source>Lengths and angles on the paper</source>
@@ -1268,16 +1244,8 @@
         <translation>Das Papier um eine waagerechte Linie wenden; ein Schritt des Modells</translation>
     </message>
     <message>
-        <source>Rotate the paper lef&amp;t</source>
-        <translation>Papier nach l&amp;inks drehen</translation>
-    </message>
-    <message>
         <source>Turn the paper in its plane by 90 degrees; a step of the model</source>
         <translation>Das Papier in seiner Ebene um 90 Grad drehen; ein Schritt des Modells</translation>
-    </message>
-    <message>
-        <source>Rotate the paper &amp;right</source>
-        <translation>Papier nach rec&amp;hts drehen</translation>
     </message>
     <message>
         <source>U&amp;nfold all</source>
@@ -1286,10 +1254,6 @@
     <message>
         <source>Open all folds; a step of the model</source>
         <translation>Alle Faltungen öffnen; ein Schritt des Modells</translation>
-    </message>
-    <message>
-        <source>Ref&amp;old all</source>
-        <translation>Alles wieder &amp;falten</translation>
     </message>
     <message>
         <source>Fold again all that was unfolded; a step of the model</source>
@@ -1348,20 +1312,8 @@
         <translation>Ver&amp;größern</translation>
     </message>
     <message>
-        <source>Zoom &amp;out</source>
-        <translation>Ver&amp;kleinern</translation>
-    </message>
-    <message>
-        <source>Sheet on&amp;ly</source>
-        <translation>Nur das &amp;Blatt</translation>
-    </message>
-    <message>
         <source>Only the flat sheet; again: both panes</source>
         <translation>Nur das flache Blatt; noch einmal: beide Ansichten</translation>
-    </message>
-    <message>
-        <source>Model pa&amp;ne</source>
-        <translation>&amp;Modellansicht</translation>
     </message>
     <message>
         <source>&amp;Sheet pane</source>
@@ -1414,14 +1366,6 @@
     <message>
         <source>Finer g&amp;rid</source>
         <translation>Fe&amp;ineres Raster</translation>
-    </message>
-    <message>
-        <source>Coarser gri&amp;d</source>
-        <translation>Gr&amp;öberes Raster</translation>
-    </message>
-    <message>
-        <source>Soft li&amp;ght</source>
-        <translation>&amp;Weiches Licht</translation>
     </message>
     <message>
         <source>Facets are darker the more they are turned away</source>
@@ -1532,16 +1476,80 @@
         <translation>&amp;Falten</translation>
     </message>
     <message>
-        <source>Pa&amp;nels</source>
-        <translation>Fenster&amp;teile</translation>
-    </message>
-    <message>
         <source>Main bar</source>
         <translation>Hauptleiste</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w...</source>
+        <translation>&amp;Neu...</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>Start&amp;seite</translation>
+    </message>
+    <message>
+        <source>Title and &amp;notes...</source>
+        <translation>&amp;Titel und Notizen...</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve the step</source>
+        <translation>Schritt &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Curve c&amp;ut</source>
+        <translation>Kur&amp;venschnitt</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Rotate the paper to the left</source>
+        <translation>Papier nach links drehen</translation>
+    </message>
+    <message>
+        <source>Rotate the paper to the right</source>
+        <translation>Papier nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Refol&amp;d all</source>
+        <translation>Alles &amp;wieder falten</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Sheet onl&amp;y</source>
+        <translation>Nur das &amp;Blatt</translation>
+    </message>
+    <message>
+        <source>&amp;Model pane</source>
+        <translation>&amp;Modellansicht</translation>
+    </message>
+    <message>
+        <source>Coarser grid</source>
+        <translation>Gröberes Raster</translation>
+    </message>
+    <message>
+        <source>Soft ligh&amp;t</source>
+        <translation>&amp;Weiches Licht</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Working with the paper&lt;/h3&gt;&lt;p&gt;Take up a tool, work in either pane, and press Enter to do what is shown or Esc to drop it. The line at the foot of the window says what to do next.&lt;/p&gt;&lt;p&gt;Drag the background or the right button to turn the model, the middle button or Space to pan, the wheel to zoom. Ctrl suspends snapping; with the wheel it walks through the layers. All keys can be changed in the preferences.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pane&amp;ls</source>
+        <translation>Fenster&amp;teile</translation>
     </message>
 </context>
 <context>
@@ -1900,6 +1908,17 @@
     <message>
         <source>Written: &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</source>
         <translation>Geschrieben: &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</translation>
+    </message>
+</context>
+<context>
+    <name>kiri::desktop::FieldBar</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>The fields that have no room here</source>
+        <translation>Die Felder, die hier keinen Platz haben</translation>
     </message>
 </context>
 <context>
