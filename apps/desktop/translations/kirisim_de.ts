@@ -1545,7 +1545,7 @@
     </message>
     <message>
         <source>&lt;h3&gt;Working with the paper&lt;/h3&gt;&lt;p&gt;Take up a tool, work in either pane, and press Enter to do what is shown or Esc to drop it. The line at the foot of the window says what to do next.&lt;/p&gt;&lt;p&gt;Drag the background or the right button to turn the model, the middle button or Space to pan, the wheel to zoom. Ctrl suspends snapping; with the wheel it walks through the layers. All keys can be changed in the preferences.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Arbeiten mit dem Papier&lt;/h3&gt;&lt;p&gt;Nehmen Sie ein Werkzeug, arbeiten Sie in einer der Ansichten, und drücken Sie die Eingabetaste, um das Gezeigte auszuführen, oder Esc, um es zu verwerfen. Die Zeile am Fuß des Fensters sagt, was als Nächstes zu tun ist.&lt;/p&gt;&lt;p&gt;Ziehen auf dem Hintergrund oder mit der rechten Taste dreht das Modell, mit der mittleren Taste oder der Leertaste verschiebt es, das Rad vergrößert. Strg setzt das Einrasten aus; mit dem Rad geht es die Lagen durch. Alle Tasten lassen sich in den Einstellungen ändern.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Pane&amp;ls</source>

@@ -4,10 +4,14 @@
 
 #include <QApplication>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  // Programs that run side by side do not find each other's settings.
+  const QTemporaryDir home;
+  qputenv("HOME", home.path().toLocal8Bit());
   QStandardPaths::setTestModeEnabled(true);  // settings and journals of tests are not the person's
   QApplication application(argc, argv);
   QApplication::setApplicationName("kirisim");
