@@ -11,7 +11,7 @@
 namespace kiri::desktop {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop::Help", text); }
+QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop", text); }
 
 /// Every action that says what it does, with its key as it is now.
 QString rowsOf(const Actions& actions) {

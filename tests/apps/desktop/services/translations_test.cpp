@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QDirIterator>
 #include <QFile>
 #include <QLibraryInfo>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <vector>
@@ -113,6 +115,26 @@ TEST(Translations, KeepThePlacesOfNumbersAndNames) {
           << sentence.source.toStdString();
     }
   }
+}
+
+TEST(Translations, SentencesAreLookedForWhereTheyAreKept) {
+  QSet<QString> known{"QPlatformTheme"};
+  for (const Sentence& sentence : sentencesIn(kGerman)) known.insert(sentence.context);
+  static const QRegularExpression kAsked("translate\\(\\s*\"([^\"]+)\"");
+  int asked = 0;
+  QDirIterator files(QString(KIRI_SOURCE_DIR) + "/apps/desktop", {"*.cpp"}, QDir::Files,
+                     QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    QFile file(files.next());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    for (auto match = kAsked.globalMatch(text); match.hasNext(); ++asked) {
+      const QString context = match.next().captured(1);
+      EXPECT_TRUE(known.contains(context))
+          << file.fileName().toStdString() << ": " << context.toStdString();
+    }
+  }
+  EXPECT_GT(asked, 4);
 }
 
 TEST(Translations, TheProgramSpeaksGermanAndEnglishAgain) {
