@@ -20,5 +20,8 @@ endif()
 function(kiri_compile_together target)
   if(KIRI_SANITIZED AND NOT target STREQUAL "kiri_apps_desktop")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # A class that a source defines for itself may hold what is in the unnamed namespace of that source; here it
+    # looks like a header's.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
