@@ -3,6 +3,8 @@
 #include "apps/desktop/panels/steps_model.h"
 
 #include <QImage>
+#include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "apps/desktop/look/convert.h"
@@ -76,7 +78,16 @@ void StepsModel::refresh() {
 
 void StepsModel::drawNext() {
   if (task_.isBusy()) return;
-  for (const Row& row : rows_) {
+  // Those that are seen come first: the cards about the cursor.
+  std::vector<const Row*> order;
+  for (const Row& row : rows_) order.push_back(&row);
+  const auto away = [here = &rows_[0] + currentRow()](const Row* row) {
+    return std::abs(row - here);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const Row* a, const Row* b) { return away(a) < away(b); });
+  for (const Row* next : order) {
+    const Row& row = *next;
     if (!row.state || pictures_.contains(row.state.get())) continue;
     auto image = std::make_shared<QImage>();
     auto model = std::make_shared<Model>(hub_.session().document().model());

@@ -7,9 +7,7 @@
 #include <QNativeGestureEvent>
 #include <QTouchEvent>
 #include <QWheelEvent>
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "apps/desktop/look/convert.h"
 
@@ -255,18 +253,18 @@ bool PaneInput::touch(QTouchEvent* event) {
   if (points.size() >= 2) {
     // What one finger began is dropped, for the hand meant something else.
     if (fingers_ == Fingers::One) dropWhatOneFingerBegan();
-    fingers_ = Fingers::Two;
-    const QPointF a = points[0].position();
-    const QPointF b = points[1].position();
-    const QPointF olderA = points[0].lastPosition();
-    const QPointF olderB = points[1].lastPosition();
-    const QLineF now(a, b);
-    const QLineF before(olderA, olderB);
-    if (now.length() > 1 && before.length() > 1) {
-      const double turn = std::remainder(now.angle() - before.angle(), 360.0);
-      session_.pinch(pane_, toVec2(now.center()), now.length() / before.length(),
-                     toVec2(now.center() - before.center()), turn);
+    const QLineF now(points[0].position(), points[1].position());
+    // Not QEventPoint::lastPosition: when a finger is lifted it tells the movement before again.
+    if (fingers_ == Fingers::Two && now.length() > 1 && pinch_.length() > 1) {
+      const double turn = std::remainder(now.angle() - pinch_.angle(), 360.0);
+      session_.pinch(pane_, toVec2(now.center()), now.length() / pinch_.length(),
+                     toVec2(now.center() - pinch_.center()), turn);
     }
+    // Counts from the first movement: where a resting finger is when the other lands is not sure.
+    const bool hasLanded =
+        points[0].state() == QEventPoint::Pressed || points[1].state() == QEventPoint::Pressed;
+    pinch_ = hasLanded ? QLineF() : now;
+    fingers_ = Fingers::Two;
   } else if (points.size() == 1 && fingers_ != Fingers::Two) {
     const QPointF at = points.front().position();
     const bool hasMoved = QLineF(firstTouch_, at).length() > kFingerSlack;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QLineF>
 #include <QObject>
 #include <QPointF>
 #include <QWidget>
@@ -49,6 +50,7 @@ class PaneInput final : public QObject {
   PointerButton held_ = PointerButton::None;
   Fingers fingers_ = Fingers::None;
   QPointF firstTouch_;
+  QLineF pinch_;  ///< from one of two fingers to the other
   Qt::KeyboardModifiers touchKeys_;
 };
 

@@ -85,6 +85,39 @@ TEST_F(Window, AnAngleTypedInTheBarIsTheAngleOfTheFold) {
   EXPECT_DOUBLE_EQ(fold->angle, 120);
 }
 
+TEST_F(Window, OneFingerFolds) {
+  static QPointingDevice* finger = QTest::createTouchDevice();
+  const QPoint from = pixelOf({150, 150, 0});
+  const QPoint to = pixelOf({0, 0, 0});
+  QTest::touchEvent(model(), finger).press(0, from, model());
+  for (int i = 1; i <= 6; ++i) {
+    QTest::touchEvent(model(), finger).move(0, from + (to - from) * i / 6, model());
+  }
+  QTest::touchEvent(model(), finger).release(0, to, model());
+  settle();
+  EXPECT_TRUE(session().canCommit());
+}
+
+TEST_F(Window, TwoFingersZoomAndFoldNothing) {
+  static QPointingDevice* fingers = QTest::createTouchDevice();
+  const QPoint middle = model()->rect().center();
+  const double before = session().camera().map().pixelsPerMm;
+  const auto at = [&](int apart) { return QPoint(apart, 0); };
+  QTest::touchEvent(model(), fingers).press(0, middle - at(40), model());
+  QTest::touchEvent(model(), fingers).stationary(0).press(1, middle + at(40), model());
+  for (int apart = 40; apart <= 80; apart += 10) {
+    QTest::touchEvent(model(), fingers)
+        .move(0, middle - at(apart), model())
+        .move(1, middle + at(apart), model());
+  }
+  QTest::touchEvent(model(), fingers)
+      .release(0, middle - at(80), model())
+      .release(1, middle + at(80), model());
+  settle();
+  EXPECT_NEAR(session().camera().map().pixelsPerMm / before, 2, 0.1);
+  EXPECT_FALSE(session().canCommit());
+}
+
 TEST_F(Window, EscapeDropsWhatIsHalfDone) {
   drag(model(), pixelOf({150, 150, 0}), pixelOf({0, 0, 0}));
   ASSERT_TRUE(session().canCommit());
