@@ -39,9 +39,9 @@ struct AllSlider::Ways {
       end = std::make_shared<const FoldedState>(std::move(*reached));
     }
 
-    std::shared_ptr<const FoldedState> at(const FoldedState& start, double part) const {
+    std::shared_ptr<const FoldedState> at(const FoldedState& from, double part) const {
       if (part >= 1 && end != nullptr) return end;
-      if (movements.empty() || part <= 0) return std::make_shared<const FoldedState>(start);
+      if (movements.empty() || part <= 0) return std::make_shared<const FoldedState>(from);
       return std::make_shared<const FoldedState>(stateAlong(movements, part));
     }
 
