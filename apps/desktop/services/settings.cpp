@@ -169,7 +169,7 @@ void Settings::clearRecentFiles() {
 }
 
 QString Settings::folderFor(const QString& kind) const {
-  const QString kept = store_->value("folders/" + kind).toString();
+  QString kept = store_->value("folders/" + kind).toString();
   if (QFileInfo(kept).isDir()) return kept;
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   return QFileInfo(documents).isDir() ? documents : QDir::homePath();
@@ -224,8 +224,7 @@ void Settings::setValue(const QString& name, const QVariant& value) {
 }
 
 QString journalFolder() {
-  const QString folder =
-      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/journals";
+  QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/journals";
   QDir().mkpath(folder);
   return folder;
 }
