@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("KIRISIM_PROGRAM", "")
-KILLS = 50
+KILLS = int(os.environ.get("KIRI_KILLS", "50"))
 WAIT = 60  # seconds for what should take a blink, on a machine that does other things too
 
 

@@ -28,7 +28,6 @@ TEST_F(Journey, APalmateLeafIsFoldedCutUnfoldedSavedReloadedAndUndoneToTheStart)
   EXPECT_FALSE(window->isWindowModified());
   ASSERT_TRUE(QFile::exists(answers.toSave));
 
-  type(Qt::Key_N, Qt::ControlModifier);
   window->files().openFile(answers.toSave);
   settle();
   EXPECT_NEAR(areaOf(session().document().state()->pattern), area, 1e-6);
