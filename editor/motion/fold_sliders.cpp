@@ -1,3 +1,4 @@
+// What the folds panel shows: where each fold line stands and how far it goes.
 // SPDX-License-Identifier: MIT
 #include "editor/motion/fold_sliders.h"
 
@@ -41,6 +42,18 @@ std::vector<FoldSlider> slidersOf(const FoldedState& state) {
     }
   }
   return sliders;
+}
+
+double opennessOf(const FoldedState& state) {
+  double all = 0;
+  double folded = 0;
+  for (const FoldSlider& slider : slidersOf(state)) {
+    if (!slider.canMove) continue;
+    const double most = std::abs(state.lines[slider.line.index].foldedAmount);
+    all += most;
+    folded += std::min(most, std::abs(slider.amount.value_or(most)));
+  }
+  return all > 0 ? 1 - folded / all : 1;
 }
 
 std::vector<SliderGroup> groupsOf(const std::vector<FoldSlider>& sliders) {

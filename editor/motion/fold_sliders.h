@@ -27,6 +27,10 @@ struct FoldSlider {
 /// The sliders of a state, in the order of folding.
 std::vector<FoldSlider> slidersOf(const FoldedState& state);
 
+/// How far all of it is open: 0 as it was folded, 1 unfolded, by the degrees of all fold lines.
+/// Lines whose hinges disagree count as folded.
+double opennessOf(const FoldedState& state);
+
 /// Sliders whose names differ in a number at the end only: "vein 1" and "vein 2" are of "vein".
 struct SliderGroup {
   std::string name;               ///< what the names have in common; of one slider: its name

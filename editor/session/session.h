@@ -107,8 +107,9 @@ class Session {
   void endSlide(bool keep);
   const std::optional<SlideShow>& slideShow() const;
   void beginSlideAll();
-  void slideAll(double openness);          ///< 0: folded, 1: unfolded
-  std::optional<double> openness() const;  ///< of the slider of all; none before it is known
+  void slideAll(double openness);  ///< 0: folded, 1: unfolded
+  /// Where the slider of all stands, also when nobody drags it.
+  double openness() const;
   void endSlideAll(bool keep);
   /// Why all cannot move as asked; none while that is not known or untrue.
   const std::optional<Error>& slideProblem() const;

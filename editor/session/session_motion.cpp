@@ -70,7 +70,9 @@ void Session::endSlideAll(bool keep) {
   parts_->tell();
 }
 
-std::optional<double> Session::openness() const { return parts_->slides.openness(); }
+double Session::openness() const {
+  return parts_->slides.openness().value_or(opennessOf(*parts_->document.state()));
+}
 
 bool Session::isLeaf() const { return parts_->document.model().opening == Sequence::Together; }
 

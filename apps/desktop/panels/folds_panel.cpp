@@ -9,6 +9,7 @@
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "apps/desktop/look/convert.h"
 #include "apps/desktop/panels/fold_rows.h"
@@ -113,7 +114,8 @@ void FoldsPanel::refresh() {
   rows_->setVisible(!sliders.empty());
   all_->setEnabled(!sliders.empty());
   (hub_.session().isLeaf() ? together_ : inOrder_)->setChecked(true);
-  if (!all_->isSliderDown()) all_->setValue(0);
+  if (!all_->isSliderDown())
+    all_->setValue(static_cast<int>(std::lround(hub_.session().openness() * kTicks)));
   rows_->show(sliders);
 }
 

@@ -169,16 +169,19 @@ TEST(Session, AllFoldLinesOpenWithOneSlider) {
   hand.open("square 100; fold a valley 20,0 20,100 left; fold b valley 80,0 80,100 right");
   hand.session.setLeaf(true);
   EXPECT_TRUE(hand.session.isLeaf());
+  EXPECT_NEAR(hand.session.openness(), 0, 1e-9);
   hand.session.beginSlideAll();
   hand.session.slideAll(0.5);
   ASSERT_FALSE(hand.session.slideProblem()) << hand.session.slideProblem()->message;
-  EXPECT_FALSE(isFlat(*hand.session.shown().state)) << *hand.session.openness();
+  EXPECT_FALSE(isFlat(*hand.session.shown().state)) << hand.session.openness();
+  EXPECT_NEAR(hand.session.openness(), 0.5, 1e-9);
   hand.session.slideAll(1);
   hand.session.endSlideAll(true);
   ASSERT_EQ(hand.stepCount(), 3u);
   const auto step = std::get<UnfoldStep>(hand.session.document().model().steps.back().action);
   EXPECT_EQ(step.sequence, Sequence::Together);
   for (const FoldSlider& slider : hand.session.sliders()) EXPECT_NEAR(*slider.amount, 0, 1e-9);
+  EXPECT_NEAR(hand.session.openness(), 1, 1e-9);
 }
 
 TEST(Session, TheFilmPlaysAndLeavesTheModelAlone) {
