@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/layers/layer_count.h"
+#include "core/paper/boxes.h"
 #include "editor/session/fault_marks.h"
 #include "editor/session/moved_facets.h"
 
@@ -16,6 +17,18 @@ Document emptyDocument() {
   Result<Document> document = Document::create(Model{});
   KIRI_CHECK(document.isOk(), "the sheet of an untouched model is a sheet");
   return std::move(*document);
+}
+
+/// True when no corner of the paper is beside the pane.
+bool isInSight(const FoldedState& state, const PaneMap& map) {
+  for (std::size_t i = 0; i < state.pattern.facets.size(); ++i) {
+    const FacetId facet(i);
+    for (const EdgeUse use : state.pattern[facet].border) {
+      const Vec2 p = map.toPixels(state, Spot{facet, state.pattern[startOf(state.pattern, use)]});
+      if (p.x < 0 || p.y < 0 || p.x > map.size.x || p.y > map.size.y) return false;
+    }
+  }
+  return true;
 }
 
 void tint(std::vector<FacetTint>& tints, const std::vector<FacetId>& facets, FacetTint with) {
@@ -165,8 +178,20 @@ void Session::Parts::documentChanged() {
   film.reset();
   const FoldedState& state = *document.state();
   facts = {state.pattern.facets.size(), maxLayerCount(state), state.collisions.size()};
-  navigation.camera.setBall(sphereOf(state));
+  keepInSight(state);
   refreshProposal();
+}
+
+void Session::Parts::keepInSight(const FoldedState& state) {
+  const auto hasGone = [&](const PaneMap& map) {
+    return shown.base && isInSight(*shown.base, map) && !isInSight(state, map);
+  };
+  const bool hasModelGone = hasGone(navigation.camera.map());
+  const bool hasSheetGone = hasGone(navigation.sheet.map());
+  navigation.camera.setBall(sphereOf(state));
+  if (hasModelGone) navigation.camera.fit(sphereOf(state));
+  if (hasSheetGone) navigation.sheet.fit(paperBoxOf(state.pattern));
+  changed.view = true;
 }
 
 std::shared_ptr<const FoldedState> Session::Parts::stateToShow() const {

@@ -61,6 +61,8 @@ struct Session::Parts {
   void showFilm();
   /// Everything that hangs on the document.
   void documentChanged();
+  /// The eyes step back when paper that was wholly in sight no longer is.
+  void keepInSight(const FoldedState& state);
   void ask(Change change, Phrase what, bool isCommit);
   void ended(Result<History> next, const Phrase& what, bool isCommit);
   void say(Notice::Kind kind, Phrase text, std::string why = {}, Witness where = {});

@@ -247,6 +247,33 @@ TEST(Session, TheWheelKeepsThePlaceUnderThePointer) {
   }
 }
 
+TEST(Session, PaperThatGrowsOutOfThePaneIsShownWhole) {
+  DirectRunner runner;
+  Hand hand(runner);
+  hand.open("square 100; cut -5,45 45,-5 keep 5,5");
+  for (const Pane pane : {Pane::Model, Pane::Sheet}) {
+    hand.pane = pane;
+    EXPECT_LT(hand.pixels({100, 100}).y, 0) << "only the corner is there, and large";
+  }
+  hand.session.jumpTo(0);
+  for (const Pane pane : {Pane::Model, Pane::Sheet}) {
+    hand.pane = pane;
+    const Vec2 corner = hand.pixels({100, 100});
+    EXPECT_GT(corner.y, 0);
+    EXPECT_LT(corner.x, hand.map().size.x);
+  }
+}
+
+TEST(Session, WhoHasComeNearStaysNear) {
+  DirectRunner runner;
+  Hand hand(runner);
+  hand.open("square 100; fold a valley 50,0 50,100 left");
+  hand.session.wheel({Pane::Model, {400, 300}, 12, {}});
+  const double scale = hand.map().pixelsPerMm;
+  hand.session.jumpTo(0);
+  EXPECT_NEAR(hand.map().pixelsPerMm, scale, 1e-9);
+}
+
 TEST(Session, AnotherModelLeavesNothingOfTheFirst) {
   DirectRunner runner;
   Hand hand(runner);
