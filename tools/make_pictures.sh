@@ -27,3 +27,11 @@ view kirigami_snowflake layers --step 6 --view 30,25 --explode 5 --shade --dpi 1
 view ship thickness --view 20,40 --thickness 0.8 --shade --shadow --dpi 100
 ./kiri animate examples/leaf_palmate.kiri --size 320x220 --fps 12 --speed 180 --hold 0.2 -o docs/pictures/leaf_film.gif
 ./kiri animate examples/leaf_hornbeam.kiri --steps 31 --size 280x210 --fps 15 --speed 60 -o docs/pictures/hornbeam_opens.gif
+
+# The window's are made by the journeys of the tests, which fold in it with mouse and keyboard.
+cmake --build --preset release --target kiri_tests_apps_desktop_journeys
+shots=$(mktemp -d)
+KIRI_PICTURES=$shots tools/with_screen.sh build/release/kiri_tests_apps_desktop_journeys
+cp "$shots/journey-leaf.png" docs/pictures/window.png
+cp "$shots/journey-stretch.png" docs/pictures/window_stretch.png
+rm -r "$shots"

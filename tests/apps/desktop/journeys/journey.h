@@ -92,6 +92,11 @@ class Journey : public WindowHand, public test::Person {
     QTest::keyClick(model(), key, modifiers);
     settle();
   }
+  /// The part of the model pane's pixels, 0 to 1, that differ from the exact picture of the same
+  /// flat state; those within two pixels of a border of colours are not looked at, for there the
+  /// window draws lines.
+  double differenceFromExactPicture();
+
   std::size_t count() { return session().document().count(); }
 
  private:

@@ -40,6 +40,7 @@ TEST_F(Journey, AShipIsFoldedWithATear) {  // Figure 4.4
   EXPECT_EQ(ship.pattern.facets.size(), 4u);
   EXPECT_EQ(piecesOf(ship.pattern), std::vector<std::uint32_t>(ship.pattern.facets.size(), 0));
   EXPECT_NEAR(areaOf(ship.pattern), 10000, 1e-6);
+  EXPECT_LT(differenceFromExactPicture(), 0.02);
   picture("journey-ship");
 }
 
@@ -58,6 +59,7 @@ TEST_F(Journey, AFoldACutAndAFoldFollowEachOther) {  // Figure 4.5
   press(Key::Enter);
   ASSERT_EQ(count(), 3u) << session().notice().why;
   EXPECT_NEAR(areaOf(session().document().state()->pattern), left, 1e-6);
+  EXPECT_LT(differenceFromExactPicture(), 0.02);
   picture("journey-fold-cut-fold");
 }
 
