@@ -9,8 +9,8 @@
 namespace kiri {
 
 struct CairoDestroy {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* cr) const { cairo_destroy(cr); }
+  void operator()(cairo_surface_t* surface) const;
+  void operator()(cairo_t* cr) const;
 };
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoDestroy>;
 using CairoContext = std::unique_ptr<cairo_t, CairoDestroy>;
