@@ -16,9 +16,8 @@ endif()
 
 # Half of the compiler's time goes into headers, and nobody edits in the sanitized build: it compiles eight sources of
 # a target at once. That names in unnamed namespaces of one room differ is good for readers too.
-# The sources of apps/desktop itself each have a tr() with the context of their own sentences.
 function(kiri_compile_together target)
-  if(KIRI_SANITIZED AND NOT target STREQUAL "kiri_apps_desktop")
+  if(KIRI_SANITIZED)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     # A class that a source defines for itself may hold what is in the unnamed namespace of that source; here it
     # looks like a header's.

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/docks.h"
 
-#include <QCoreApplication>
 #include <QVBoxLayout>
+
+#include "apps/desktop/words.h"
 
 namespace kiri::desktop {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop", text); }
 
 QDockWidget* dock(QMainWindow& window, const QString& name, const QString& title, QWidget* inside,
                   Qt::DockWidgetArea area) {

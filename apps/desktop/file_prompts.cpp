@@ -14,16 +14,16 @@
 namespace kiri::desktop {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("kiri::desktop::DialogPrompts", text);
-}
-
 QString filter() {
   return QCoreApplication::translate("kiri::desktop::DialogPrompts",
                                      "KiriSim models (*.kiri);;All files (*)");
 }
 
 }  // namespace
+
+QString DialogPrompts::tr(const char* text) {
+  return QCoreApplication::translate("kiri::desktop::DialogPrompts", text);
+}
 
 SaveAnswer DialogPrompts::askToSave(const QString& name) {
   QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
@@ -40,8 +40,8 @@ SaveAnswer DialogPrompts::askToSave(const QString& name) {
 }
 
 QString DialogPrompts::fileToOpen() {
-  const QString file = QFileDialog::getOpenFileName(&window_, tr("Open a model"),
-                                                    settings_.folderFor("model"), filter());
+  QString file = QFileDialog::getOpenFileName(&window_, tr("Open a model"),
+                                              settings_.folderFor("model"), filter());
   if (!file.isEmpty()) settings_.setFolderFor("model", QFileInfo(file).absolutePath());
   return file;
 }
@@ -55,7 +55,7 @@ QString DialogPrompts::fileToSave(const QString& suggestion) {
   dialog.setDefaultSuffix("kiri");
   dialog.selectFile(QFileInfo(place).fileName());
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-  const QString file = dialog.selectedFiles().front();
+  QString file = dialog.selectedFiles().front();
   settings_.setFolderFor("model", QFileInfo(file).absolutePath());
   return file;
 }

@@ -33,6 +33,8 @@ class DialogPrompts final : public FilePrompts {
   void tellProblem(const QString& title, const QString& text) override;
 
  private:
+  static QString tr(const char* text);
+
   QWidget& window_;
   Settings& settings_;
 };

@@ -19,7 +19,7 @@ namespace {
 /// The model files among what is dropped.
 QString droppedModel(const QMimeData& data) {
   for (const QUrl& url : data.urls()) {
-    const QString file = url.toLocalFile();
+    QString file = url.toLocalFile();
     if (file.endsWith(".kiri", Qt::CaseInsensitive)) return file;
   }
   return {};

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/menus.h"
 
-#include <QCoreApplication>
 #include <QMenuBar>
 #include <QToolButton>
+
+#include "apps/desktop/words.h"
 
 namespace kiri::desktop {
 namespace {
 
 constexpr int kBarIcon = 20;
 constexpr int kToolIcon = 24;
-
-QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop", text); }
 
 /// Adds actions by name; a dash is a line between.
 void fill(QWidget& place, const Actions& actions, const QStringList& names) {

@@ -1,3 +1,4 @@
+// Applying a model's steps one after the other.
 // SPDX-License-Identifier: MIT
 #include "core/model/replay.h"
 
@@ -5,11 +6,11 @@
 
 namespace kiri {
 
-using StatePtr = std::shared_ptr<const FoldedState>;
+using SharedState = std::shared_ptr<const FoldedState>;
 
 Status replayFrom(Replay& replay, const Model& model, std::size_t from, const Progress& progress) {
   replay.outcomes.resize(from);
-  StatePtr state = from == 0 ? replay.start : replay.outcomes[from - 1].state;
+  SharedState state = from == 0 ? replay.start : replay.outcomes[from - 1].state;
   for (std::size_t i = from; i < model.steps.size(); ++i) {
     if (!goesOn(progress, static_cast<double>(i) / static_cast<double>(model.steps.size()))) {
       return Error{
@@ -35,7 +36,7 @@ Status replayFrom(Replay& replay, const Model& model, std::size_t from, const Pr
   return std::monostate{};
 }
 
-Result<StatePtr> Replay::after(std::size_t count) const {
+Result<SharedState> Replay::after(std::size_t count) const {
   if (count == 0) return start;
   KIRI_CHECK(count <= outcomes.size(), "a state is asked for that the model has");
   for (std::size_t i = 0; i < count; ++i) {

@@ -123,7 +123,7 @@ void Session::Parts::react(const Reaction& reaction) {
   refreshProposal();
 }
 
-void Session::Parts::ask(Change change, Phrase what, bool isCommit) {
+void Session::Parts::ask(Change change, const Phrase& what, bool isCommit) {
   if (isCommit) tool().reset();
   changed.busy = true;
   queue.add(std::move(change), what, [this, what, isCommit](Result<History> next) {

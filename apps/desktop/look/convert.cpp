@@ -16,7 +16,7 @@ constexpr const char* kContexts[] = {"editor/tools",  "editor/session", "editor/
 
 QImage toQt(const Image& image) {
   if (image.width <= 0 || image.height <= 0) return {};
-  const QImage shared(image.rgba.data(), image.width, image.height, image.width * 4,
+  const QImage shared(image.rgba.data(), image.width, image.height, qsizetype{image.width} * 4,
                       QImage::Format_RGBA8888);
   return shared.copy();
 }

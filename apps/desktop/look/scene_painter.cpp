@@ -36,9 +36,9 @@ void addChain(QPainterPath& path, const std::vector<Arc>& chain, bool isClosed) 
 
 /// The image lying in the scene as `imageToScene` says, whose unit square it is, y up.
 QBrush brushOf(const Image& image, const Affine& imageToScene) {
-  const QImage pixels =
-      QImage(image.rgba.data(), image.width, image.height, image.width * 4, QImage::Format_RGBA8888)
-          .copy();
+  const QImage pixels = QImage(image.rgba.data(), image.width, image.height,
+                               qsizetype{image.width} * 4, QImage::Format_RGBA8888)
+                            .copy();
   QBrush brush(pixels);
   const QTransform toUnit(1.0 / image.width, 0, 0, -1.0 / image.height, 0, 1);
   const Affine& m = imageToScene;

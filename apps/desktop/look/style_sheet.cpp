@@ -74,7 +74,7 @@ QString styleSheetOf(const Theme& theme) {
                               .arg(c.red())
                               .arg(c.green())
                               .arg(c.blue())
-                              .arg(QString::number(c.alphaF(), 'f', 3));
+                              .arg(QString::number(static_cast<double>(c.alphaF()), 'f', 3));
     sheet.replace("$" + it.key() + "$", value);
   }
   return sheet;

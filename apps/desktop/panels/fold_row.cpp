@@ -17,12 +17,12 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr double kTicks = 10;  // of the slider for a degree
+constexpr double kTicksOfDegree = 10;  // of the slider for a degree
 constexpr double kMost = 180;
 constexpr int kRest = 700;  // ms without a key after which the step is made
-constexpr int kSign = 18;
+constexpr int kFoldSign = 18;
 
-int ticksOf(double degrees) { return static_cast<int>(std::lround(degrees * kTicks)); }
+int ticksOf(double degrees) { return static_cast<int>(std::lround(degrees * kTicksOfDegree)); }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ FoldRow::FoldRow(QWidget* parent)
   grid->setContentsMargins(12, 4, 12, 6);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(1);
-  grid->setColumnMinimumWidth(0, kSign);
+  grid->setColumnMinimumWidth(0, kFoldSign);
   grid->addWidget(name_, 0, 1);
   grid->addWidget(box_, 0, 2, 2, 1, Qt::AlignVCenter);
   grid->addWidget(bar_, 1, 1);
@@ -61,7 +61,7 @@ FoldRow::FoldRow(QWidget* parent)
       hold();
       rest_.start();
     }
-    emit moved(ticks / kTicks);
+    emit moved(ticks / kTicksOfDegree);
   });
   connect(box_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
     if (!isUpdating_) set(degrees);
@@ -114,7 +114,7 @@ void FoldRow::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (!shown_) return;
   const QString sign = shown_->isValley ? "valley" : "mountain";
-  icon(sign).paint(&painter, QRect(10, 8, kSign, kSign), Qt::AlignCenter,
+  icon(sign).paint(&painter, QRect(10, 8, kFoldSign, kFoldSign), Qt::AlignCenter,
                    isEnabled() ? QIcon::Normal : QIcon::Disabled);
   painter.setPen(theme().line);
   painter.drawLine(12, height() - 1, width() - 12, height() - 1);

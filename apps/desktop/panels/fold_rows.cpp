@@ -37,7 +37,7 @@ void FoldRows::place() {
   const bool isHeld =
       std::any_of(rows_.begin(), rows_.end(), [](const FoldRow* row) { return row->isHeld(); });
   if (!isHeld) first_ = static_cast<std::size_t>(verticalScrollBar()->value() / FoldRow::kHeight);
-  const auto seen = static_cast<std::size_t>(viewport()->height() / FoldRow::kHeight + 2);
+  const auto seen = static_cast<std::size_t>(viewport()->height() / FoldRow::kHeight) + 2;
   while (rows_.size() < std::min(seen, sliders_.size())) rows_.push_back(makeRow());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     FoldRow* row = rows_[i];

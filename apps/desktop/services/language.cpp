@@ -35,7 +35,7 @@ void add(const QString& file, const QString& folder) {
 
 QString codeOfDesktop() {
   for (const QString& name : QLocale::system().uiLanguages()) {
-    const QString code = name.section('-', 0, 0);
+    QString code = name.section('-', 0, 0);
     if (languages().contains(code)) return code;
   }
   return languages().first();
@@ -48,7 +48,7 @@ QStringList languages() { return {QStringLiteral("en"), QStringLiteral("de")}; }
 QString speak(const QString& code) {
   makeTranslationsKnown();
   spoken().clear();
-  const QString language = languages().contains(code) ? code : codeOfDesktop();
+  QString language = languages().contains(code) ? code : codeOfDesktop();
   if (language == languages().first()) return language;
   // Qt's own words first: ours are asked before them.
   add("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));

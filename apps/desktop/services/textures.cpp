@@ -37,7 +37,7 @@ Image imageOf(const QImage& picture) {
 }
 
 QImage pictureOf(const Image& image) {
-  return QImage(image.rgba.data(), image.width, image.height, image.width * 4,
+  return QImage(image.rgba.data(), image.width, image.height, qsizetype{image.width} * 4,
                 QImage::Format_RGBA8888)
       .copy();
 }
@@ -62,7 +62,7 @@ Result<Image> readTexture(const QString& path) {
 
 QString texturePathOf(const PaperSide& side, const QString& modelPath) {
   if (side.texture.empty()) return {};
-  const QString path = QString::fromStdString(side.texture);
+  QString path = QString::fromStdString(side.texture);
   if (QDir::isAbsolutePath(path) || modelPath.isEmpty()) return path;
   return QFileInfo(modelPath).absoluteDir().filePath(path);
 }
