@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/help_box.h"
 
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "apps/desktop/words.h"
+
 namespace kiri::desktop {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("kiri::desktop", text); }
 
 /// Every action that says what it does, with its key as it is now.
 QString rowsOf(const Actions& actions) {

@@ -31,8 +31,8 @@ void Session::open(Document document) {
   fitAll();
 }
 
-void Session::change(Change change, Phrase what) {
-  parts_->ask(std::move(change), std::move(what), false);
+void Session::change(Change change, const Phrase& what) {
+  parts_->ask(std::move(change), what, false);
   parts_->tell();
 }
 

@@ -58,8 +58,8 @@ class Session {
 
   // The document.
   const Document& document() const;
-  void open(Document document);             ///< replaces what is open
-  void change(Change change, Phrase what);  ///< computed beside the window, in order
+  void open(Document document);                    ///< replaces what is open
+  void change(Change change, const Phrase& what);  ///< computed beside the window, in order
   void undo();
   void redo();
   void jumpTo(std::size_t steps);

@@ -58,7 +58,8 @@ Session::Parts::Parts(TaskRunner& taskRunner, std::function<void(const Changed&)
                tell();
              }),
       queue(taskRunner, [this]() -> const History& { return document.history(); }),
-      playerTask(taskRunner) {
+      playerTask(taskRunner),
+      factsTask(taskRunner) {
   documentChanged();
 }
 
@@ -177,9 +178,23 @@ void Session::Parts::documentChanged() {
   player.load(nullptr);
   film.reset();
   const FoldedState& state = *document.state();
-  facts = {state.pattern.facets.size(), maxLayerCount(state), state.collisions.size()};
+  countFacts();
   keepInSight(state);
   refreshProposal();
+}
+
+void Session::Parts::countFacts() {
+  const std::shared_ptr<const FoldedState> state = document.state();
+  facts.facets = state->pattern.facets.size();
+  facts.collisions = state->collisions.size();
+  const auto layers = std::make_shared<std::uint32_t>(0);
+  factsTask.ask({{},
+                 [state, layers](const Progress&) { *layers = maxLayerCount(*state); },
+                 [this, layers] {
+                   facts.layers = *layers;
+                   changed.busy = true;
+                   tell();
+                 }});
 }
 
 void Session::Parts::keepInSight(const FoldedState& state) {

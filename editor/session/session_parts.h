@@ -44,6 +44,7 @@ struct Session::Parts {
   bool isPlayerOpen = false;
   std::shared_ptr<const FoldedState> film;  ///< the picture of the film that is shown
   LatestTask playerTask;
+  LatestTask factsTask;  ///< counting the layers of a deep stack takes longer than a frame
 
   Shown shown;
   Marks guide;
@@ -61,6 +62,7 @@ struct Session::Parts {
   void showFilm();
   /// Everything that hangs on the document.
   void documentChanged();
+  void countFacts();
   /// The eyes step back when paper that was wholly in sight no longer is.
   void keepInSight(const FoldedState& state);
   void ask(Change change, const Phrase& what, bool isCommit);
