@@ -1,0 +1,42 @@
+// What a leaf is made from: a few angles and lengths (thesis 7.1).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/model.h"
+
+namespace kiri {
+
+/// A ray from the petiole, on both sides of the mid-vein: a vein ends in the tip of a lobe, an
+/// anti-vein in a sinus.
+struct LeafRay {
+  double angle = 0;   ///< degrees from the mid-vein
+  double length = 0;  ///< as part of the mid-vein's length
+  bool operator==(const LeafRay&) const = default;
+};
+
+/// Where the petiole meets the blade (thesis 7.1, cases a and b).
+enum class Petiole {
+  OnEdge,  ///< on the lower edge of the sheet; the blade ends there, at 90 degrees
+  Inside,  ///< inside the sheet, opened by a straight cut along the basal edge
+};
+
+/// A palmate leaf. From the mid-vein outward anti-veins and veins take turns: antiVeins[0],
+/// veins[0], antiVeins[1], veins[1], ...; the basal edge comes last.
+struct LeafRecipe {
+  std::string title;
+  std::string notes;
+  double midVein = 100;  ///< mm, petiole to tip
+  Petiole petiole = Petiole::Inside;
+  std::vector<LeafRay> veins;      ///< beside the mid-vein, outward
+  std::vector<LeafRay> antiVeins;  ///< as many as veins
+  LeafRay base{120, 0.3};          ///< the basal edge, and where the margin meets it
+  PaperSide front{{79, 138, 58}, ""};
+  PaperSide back{{169, 201, 139}, ""};
+  std::string unknown;  ///< fields that the reader did not know, as JSON text
+  bool operator==(const LeafRecipe&) const = default;
+};
+
+}  // namespace kiri

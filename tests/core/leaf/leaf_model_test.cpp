@@ -1,0 +1,104 @@
+// Leaves made from recipes have the lobes and sinuses that the recipes ask for.
+// SPDX-License-Identifier: MIT
+#include "core/leaf/leaf_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/model/replay.h"
+#include "core/paper/contours.h"
+
+namespace kiri {
+namespace {
+
+/// Recipes from leaves.md section 2.
+LeafRecipe sycamore() {
+  LeafRecipe recipe;
+  recipe.title = "Acer pseudoplatanus";
+  recipe.veins = {{42, .88}, {88, .58}};
+  recipe.antiVeins = {{24, .62}, {75, .45}};
+  recipe.base = {118, .30};
+  return recipe;
+}
+
+LeafRecipe fatsia() {
+  LeafRecipe recipe;
+  recipe.veins = {{33, .98}, {66, .93}, {100, .84}, {138, .68}};
+  recipe.antiVeins = {{17, .45}, {50.5, .42}, {84.5, .38}, {121, .33}};
+  recipe.base = {165, .25};
+  return recipe;
+}
+
+LeafRecipe vineMaple() {
+  LeafRecipe recipe;
+  recipe.petiole = Petiole::OnEdge;
+  recipe.veins = {{25.8, .95}, {56.3, .76}};
+  recipe.antiVeins = {{15.1, .62}, {44.5, .51}};
+  recipe.base = {90, .34};
+  return recipe;
+}
+
+/// Local extremes of the radius along the margin, as rays: degrees from the mid-vein, clockwise.
+std::vector<LeafRay> extremesOf(const CreasePattern& pattern, Vec2 petiole, double midVein) {
+  std::vector<Vec2> points;
+  const auto contours = contoursOf(pattern);
+  EXPECT_EQ(contours.size(), 1u);
+  for (const EdgeUse use : contours.front()) {
+    const Arc arc = arcOf(pattern, use);
+    for (int k = 0; k < 200; ++k) points.push_back(pointAt(arc, k / 200.0));
+  }
+  std::vector<LeafRay> rays;
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double before = distance(points[(i + n - 1) % n], petiole);
+    const double here = distance(points[i], petiole);
+    const double after = distance(points[(i + 1) % n], petiole);
+    if (here < midVein * 0.01 || (here - before) * (after - here) > 0) continue;
+    const Vec2 d = points[i] - petiole;
+    rays.push_back({std::atan2(d.x, d.y) * 180 / std::numbers::pi, here / midVein});
+  }
+  return rays;
+}
+
+void expectRays(const LeafRecipe& recipe) {
+  const Result<LeafModel> leaf = leafModelOf(recipe);
+  ASSERT_TRUE(leaf) << leaf.error().message;
+  const Result<Replay> replayed = replay(leaf->model);
+  ASSERT_TRUE(replayed);
+  const auto last = replayed->after(leaf->model.steps.size());
+  ASSERT_TRUE(last) << last.error().message;
+  const FoldedState& state = **last;
+  EXPECT_TRUE(state.collisions.empty()) << state.collisions.front().message;
+  EXPECT_TRUE(isFlat(state));
+  const Vec2 petiole = std::get<FoldStep>(leaf->model.steps[3].action).line.from;
+  const auto found = extremesOf(state.pattern, petiole, recipe.midVein);
+  for (const FanRay& ray : leaf->fan) {
+    if (ray.kind == RayKind::BasalEdge) continue;
+    for (const double angle : {ray.angle, -ray.angle}) {
+      const auto near = std::find_if(found.begin(), found.end(), [&](const LeafRay& r) {
+        return std::abs(r.angle - angle) < 0.1 && std::abs(r.length - ray.length) < 0.002;
+      });
+      EXPECT_NE(near, found.end()) << ray.name << " at " << angle;
+    }
+  }
+}
+
+TEST(LeafModel, HasItsLobesAndSinusesWhereTheRecipePutsThem) {
+  for (const LeafRecipe& recipe : {sycamore(), fatsia(), vineMaple()}) expectRays(recipe);
+}
+
+TEST(LeafModel, AFlapFoldedPastTheMidVeinIsRefusedWithTheRemedy) {
+  LeafRecipe recipe = sycamore();
+  recipe.veins[0].angle = 60;
+  const Result<LeafModel> leaf = leafModelOf(recipe);
+  ASSERT_FALSE(leaf);
+  EXPECT_NE(leaf.error().message.find("second vein (60 degrees) would be folded 12 degrees past"),
+            std::string::npos)
+      << leaf.error().message;
+}
+
+}  // namespace
+}  // namespace kiri
