@@ -15,5 +15,6 @@ void addInfoCommand(CLI::App& app, Console& console, int& code);
 void addStepsCommand(CLI::App& app, Console& console, int& code);
 void addExportCommand(CLI::App& app, Console& console, int& code);
 void addResolveCommand(CLI::App& app, Console& console, int& code);
+void addLeafCommand(CLI::App& app, Console& console, int& code);
 
 }  // namespace kiri::cli

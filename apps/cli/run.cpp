@@ -111,6 +111,7 @@ int parseAndRun(const std::vector<std::string>& arguments, Console& console) {
   addStepsCommand(app, console, code);
   addExportCommand(app, console, code);
   addResolveCommand(app, console, code);
+  addLeafCommand(app, console, code);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);

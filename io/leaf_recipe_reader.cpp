@@ -1,0 +1,91 @@
+// Leaf recipes as files (docs/formats/leaf.md).
+// SPDX-License-Identifier: MIT
+#include "io/leaf_recipe_reader.h"
+
+#include <optional>
+#include <utility>
+
+#include "io/json_fields.h"
+#include "io/sheet_json.h"
+
+namespace kiri {
+namespace {
+
+constexpr double kHalfTurn = 180;
+/// Lengths are parts of the mid-vein's; a ray may be longer, within reason.
+constexpr double kLongestRay = 10;
+
+LeafRay readRay(const Field& field) {
+  Fields fields(field);
+  LeafRay ray;
+  if (const auto angle = fields.require("angle", "degrees from the mid-vein")) {
+    ray.angle = angle->number({0, kHalfTurn, true});
+  }
+  if (const auto length = fields.require("length", "as part of the mid-vein's length")) {
+    ray.length = length->number({0, kLongestRay, true});
+  }
+  fields.finish();
+  return ray;
+}
+
+std::vector<LeafRay> readRays(const std::optional<Field>& field) {
+  std::vector<LeafRay> rays;
+  if (!field) return rays;
+  if (!field->isArray()) {
+    field->isNot("a list of rays [{\"angle\": 42, \"length\": 0.88}, ...]");
+    return rays;
+  }
+  for (std::size_t i = 0; i < field->size(); ++i) rays.push_back(readRay(field->item(i)));
+  return rays;
+}
+
+void readBody(Fields& fields, LeafRecipe& recipe) {
+  recipe.title = fields.text("title");
+  recipe.notes = fields.text("notes");
+  recipe.midVein = fields.number("midVein", recipe.midVein, {0, kLargestLength, true});
+  if (fields.oneOf("petiole", {"inside", "edge"}, 0) == 1) {
+    recipe.petiole = Petiole::OnEdge;
+    recipe.base.angle = kHalfTurn / 2;
+  }
+  recipe.veins = readRays(fields.require("veins", "the veins beside the mid-vein, outward"));
+  recipe.antiVeins = readRays(fields.require("antiVeins", "one before each vein, outward"));
+  if (const auto base = fields.require("base", "the basal edge, {\"angle\": .., \"length\": ..}")) {
+    recipe.base = readRay(*base);
+  }
+  if (const auto paper = fields.find("paper")) {
+    Model model;
+    model.front = recipe.front;
+    model.back = recipe.back;
+    readPaper(*paper, model);
+    recipe.front = model.front;
+    recipe.back = model.back;
+  }
+}
+
+}  // namespace
+
+Result<LoadedRecipe> readLeafRecipe(std::string_view text, std::string_view fileName) {
+  const Result<JsonValue> json = parseJson(text, fileName);
+  if (!json) return json.error();
+  Findings findings{std::string(fileName)};
+  const Field top(*json, "", findings);
+  if (!top.isObject()) {
+    findings.mistake(*json, "a leaf recipe is one JSON object { \"format\": \"kiri leaf\", ... }");
+    return *findings.error();
+  }
+  Fields fields(top);
+  LoadedRecipe loaded;
+  const auto format =
+      fields.require("format", "a leaf recipe starts with \"format\": \"kiri leaf\"");
+  if (format && format->text() != "kiri leaf") {
+    format->isNot("\"kiri leaf\"; this is another kind of file");
+  }
+  if (findings.isGood()) readBody(fields, loaded.recipe);
+  fields.finish();
+  loaded.recipe.unknown = findings.takeUnknown();
+  if (!findings.isGood()) return *findings.error();
+  loaded.warnings = findings.warnings();
+  return loaded;
+}
+
+}  // namespace kiri

@@ -1,0 +1,67 @@
+// Recipes are read with every mistake told, and those in the repository make leaves.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/leaf/leaf_model.h"
+#include "core/model/replay.h"
+#include "io/file.h"
+#include "io/leaf_recipe_reader.h"
+
+namespace kiri {
+namespace {
+
+constexpr const char* kRecipe = R"({"format": "kiri leaf", "title": "Maple", "midVein": 80,
+  "antiVeins": [{"angle": 24, "length": 0.6}], "veins": [{"angle": 42, "length": 0.9}],
+  "base": {"angle": 118, "length": 0.3}, "collector": {"name": "N. N."}})";
+
+TEST(LeafRecipeReader, ReadsEveryFieldAndKeepsTheRest) {
+  const Result<LoadedRecipe> loaded = readLeafRecipe(kRecipe, "maple.json");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const LeafRecipe& recipe = loaded->recipe;
+  EXPECT_EQ(recipe.title, "Maple");
+  EXPECT_EQ(recipe.midVein, 80);
+  EXPECT_EQ(recipe.petiole, Petiole::Inside);
+  EXPECT_EQ(recipe.antiVeins, (std::vector<LeafRay>{{24, 0.6}}));
+  EXPECT_EQ(recipe.veins, (std::vector<LeafRay>{{42, 0.9}}));
+  EXPECT_EQ(recipe.base, (LeafRay{118, 0.3}));
+  EXPECT_NE(recipe.unknown.find("N. N."), std::string::npos);
+}
+
+TEST(LeafRecipeReader, MistakesAreToldWithTheirPlace) {
+  std::string text = kRecipe;
+  text.replace(text.find("42"), 2, "\"wide\"");
+  const Result<LoadedRecipe> loaded = readLeafRecipe(text, "maple.json");
+  ASSERT_FALSE(loaded);
+  EXPECT_NE(loaded.error().message.find("maple.json:2:"), std::string::npos)
+      << loaded.error().message;
+  EXPECT_NE(loaded.error().message.find("veins[0].angle"), std::string::npos);
+  EXPECT_FALSE(readLeafRecipe("[]", "x"));
+  EXPECT_FALSE(readLeafRecipe(R"({"format": "kiri"})", "x"));
+}
+
+TEST(LeafRecipes, OfTheRepositoryMakeLeavesWithoutACollision) {
+  int count = 0;
+  const std::filesystem::path folder = KIRI_SOURCE_DIR "/examples/leaves";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path().filename().string());
+    const Result<std::string> text = readFile(entry.path().string());
+    ASSERT_TRUE(text);
+    const Result<LoadedRecipe> loaded = readLeafRecipe(*text, "recipe");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_TRUE(loaded->warnings.empty());
+    const Result<LeafModel> leaf = leafModelOf(loaded->recipe);
+    ASSERT_TRUE(leaf) << leaf.error().message;
+    const Result<Replay> replayed = replay(leaf->model);
+    ASSERT_TRUE(replayed);
+    const auto last = replayed->after(leaf->model.steps.size());
+    ASSERT_TRUE(last) << last.error().message;
+    EXPECT_TRUE((*last)->collisions.empty());
+    ++count;
+  }
+  EXPECT_GE(count, 6);
+}
+
+}  // namespace
+}  // namespace kiri
