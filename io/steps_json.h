@@ -18,6 +18,14 @@ const std::vector<std::string>& stepKinds();
 /// The word for what a step does ("fold", "curve cut").
 const std::string& kindOf(const Step& step);
 
+/// The letters of a pattern's creases (as in FOLD), and what each of them means.
+const std::vector<std::string>& creaseLetters();
+inline constexpr Assignment kCreaseAssignments[] = {Assignment::Mountain, Assignment::Valley,
+                                                    Assignment::Flat,     Assignment::Unassigned,
+                                                    Assignment::Cut,      Assignment::Join};
+/// The angle of a crease that is written without one.
+double usualAngle(Assignment assignment);
+
 /// `step 3 (fold "mid-vein")`: how messages name a step; `number` counts from 1.
 std::string describeStep(const Step& step, std::size_t number);
 

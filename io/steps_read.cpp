@@ -1,5 +1,8 @@
 // Steps out of a .kiri file.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -171,6 +174,60 @@ MoveStep readMove(Fields& fields) {
   return {by ? by->point() : Vec2{}};
 }
 
+/// [from, to, "V"], and the angle where it is not that of the letter.
+PatternCrease readCrease(const Field& field, std::size_t vertices) {
+  PatternCrease crease;
+  constexpr std::size_t kShort = 3;
+  if (!field.isArray() || field.size() < kShort || field.size() > kShort + 1) {
+    field.isNot("two numbers of vertices and a letter, such as [0, 1, \"V\"]");
+    return crease;
+  }
+  const Limits range{0, static_cast<double>(vertices) - 1, false};
+  const auto vertex = [&](std::size_t i) {
+    const double number = field.item(i).number(range);
+    if (std::floor(number) != number) field.item(i).isNot("a whole number");
+    return field.findings().isGood() ? static_cast<std::uint32_t>(number) : 0;
+  };
+  crease.from = vertex(0);
+  crease.to = vertex(1);
+  const std::size_t letter = field.item(2).oneOf(creaseLetters());
+  crease.assignment = kCreaseAssignments[std::min(letter, std::size(kCreaseAssignments) - 1)];
+  crease.angle = usualAngle(crease.assignment);
+  if (field.size() > kShort)
+    crease.angle = field.item(kShort).number({-kStraightAngle, kStraightAngle, false});
+  return crease;
+}
+
+void readExceptions(const Field& field, PatternStep& step) {
+  if (!field.isArray()) field.isNot("a list of pairs of places [[upper, lower], ...]");
+  for (std::size_t i = 0; i < field.size() && field.findings().isGood(); ++i) {
+    const Field pair = field.item(i);
+    if (!pair.isArray() || pair.size() != 2) {
+      pair.isNot("two places, [[x, y], [x, y]]: the upper facet, the lower facet");
+      return;
+    }
+    const Vec2 upper = pair.item(0).point();
+    step.exceptions.emplace_back(upper, pair.item(1).point());
+  }
+}
+
+PatternStep readPatternStep(Fields& fields) {
+  PatternStep step;
+  step.name = fields.text("name");
+  if (const auto vertices = fields.require("vertices", "the ends of the creases, [[x, y], ...]"))
+    step.vertices = vertices->points(0);
+  const auto creases = fields.require("creases", "the creases, [[0, 1, \"V\"], ...]");
+  if (creases && !creases->isArray()) creases->isNot("a list of creases [[0, 1, \"V\"], ...]");
+  if (creases) step.creases.reserve(creases->size());
+  for (std::size_t i = 0; creases && i < creases->size() && creases->findings().isGood(); ++i)
+    step.creases.push_back(readCrease(creases->item(i), step.vertices.size()));
+  step.isFolded = fields.flag("folded", false);
+  if (const auto resting = fields.find("resting")) step.resting = resting->point();
+  if (const auto layers = fields.find("layers")) step.layers = layers->points(0);
+  if (const auto exceptions = fields.find("exceptions")) readExceptions(*exceptions, step);
+  return step;
+}
+
 Action readAction(std::size_t kind, Fields& fields) {
   using Reader = Action (*)(Fields&);
   static constexpr Reader kReaders[] = {
@@ -190,6 +247,7 @@ Action readAction(std::size_t kind, Fields& fields) {
       [](Fields& f) { return Action{readTurnOver(f)}; },
       [](Fields& f) { return Action{readRotate(f)}; },
       [](Fields& f) { return Action{readMove(f)}; },
+      [](Fields& f) { return Action{readPatternStep(f)}; },
   };
   static_assert(std::size(kReaders) == std::variant_size_v<Action>);
   return kReaders[kind](fields);

@@ -1,5 +1,7 @@
 // Steps into a .kiri file. What equals the default is left out where that reads well.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
@@ -22,6 +24,20 @@ void addFolds(JsonValue& out, const std::vector<FoldLineName>& lines, Sequence s
     for (const FoldLineName& line : lines) folds.items.push_back(writeFoldLineName(line));
   }
   if (sequence == Sequence::Together) out.add("sequence", JsonValue::ofText("together"));
+}
+
+JsonValue writeCrease(const PatternCrease& crease) {
+  JsonValue out = JsonValue::array();
+  out.items.push_back(JsonValue::ofNumber(crease.from));
+  out.items.push_back(JsonValue::ofNumber(crease.to));
+  const auto at =
+      std::find(std::begin(kCreaseAssignments), std::end(kCreaseAssignments), crease.assignment);
+  KIRI_CHECK(at != std::end(kCreaseAssignments), "the border is no crease of a step");
+  const auto letter = static_cast<std::size_t>(at - std::begin(kCreaseAssignments));
+  out.items.push_back(JsonValue::ofText(creaseLetters()[letter]));
+  if (crease.angle != usualAngle(crease.assignment))
+    out.items.push_back(JsonValue::ofNumber(crease.angle));
+  return out;
 }
 
 /// Appends the fields of each kind of step.
@@ -76,15 +92,47 @@ struct ActionWriter {
     if (rotate.about) out.add("about", writePoint(*rotate.about));
   }
   void operator()(const MoveStep& move) const { out.add("by", writePoint(move.by)); }
+  void operator()(const PatternStep& step) const {
+    if (!step.name.empty()) out.add("name", JsonValue::ofText(step.name));
+    out.add("vertices", writePoints(step.vertices));
+    JsonValue& creases = out.add("creases", JsonValue::array());
+    creases.items.reserve(step.creases.size());
+    for (const PatternCrease& crease : step.creases) creases.items.push_back(writeCrease(crease));
+    if (step.isFolded) out.add("folded", JsonValue::ofBool(true));
+    if (step.resting) out.add("resting", writePoint(*step.resting));
+    if (!step.layers.empty()) out.add("layers", writePoints(step.layers));
+    if (step.exceptions.empty()) return;
+    JsonValue& exceptions = out.add("exceptions", JsonValue::array());
+    for (const auto& [upper, lower] : step.exceptions)
+      exceptions.items.push_back(writePoints({upper, lower}));
+  }
 };
 
 }  // namespace
 
 const std::vector<std::string>& stepKinds() {
   static const std::vector<std::string> kinds = {
-      "fold",     "angle",        "unfold",    "refold",    "tear",   "mend",
-      "add edge", "straight cut", "curve cut", "turn over", "rotate", "move"};
+      "fold",         "angle",     "unfold",    "refold", "tear", "mend",   "add edge",
+      "straight cut", "curve cut", "turn over", "rotate", "move", "pattern"};
   return kinds;
+}
+
+const std::vector<std::string>& creaseLetters() {
+  static const std::vector<std::string> letters = {"M", "V", "F", "U", "C", "J"};
+  return letters;
+}
+
+double usualAngle(Assignment assignment) {
+  constexpr double kFull = 180;
+  switch (assignment) {
+    case Assignment::Mountain:
+      return -kFull;
+    case Assignment::Valley:
+    case Assignment::Unassigned:
+      return kFull;
+    default:
+      return 0;
+  }
 }
 
 const std::string& kindOf(const Step& step) { return stepKinds()[step.action.index()]; }

@@ -6,6 +6,7 @@
 #include "core/fold/fold_line.h"
 #include "core/fold/group_motion.h"
 #include "core/model/numbers.h"
+#include "core/model/pattern_step.h"
 #include "core/model/requests.h"
 #include "core/paper/boxes.h"
 
@@ -90,6 +91,10 @@ class Applying {
 
   Result<FoldedState> operator()(const MoveStep& step) const {
     return carried({{{}, {0, 0, 1}, 0}, {step.by.x, step.by.y, 0}});
+  }
+
+  Result<FoldedState> operator()(const PatternStep& step) const {
+    return applyPattern(state_, step, record_);
   }
 
  private:

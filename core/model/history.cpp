@@ -6,6 +6,7 @@
 
 #include "core/model/apply.h"
 #include "core/model/numbers.h"
+#include "core/model/pattern_step.h"
 #include "core/model/requests.h"
 
 namespace kiri {
@@ -49,13 +50,41 @@ void rename(FoldLineName& line, const std::string& from, const std::string& to) 
   if (name != nullptr && *name == from) *name = to;
 }
 
-void renameLine(Step& step, const std::string& from, const std::string& to) {
-  if (AngleStep* angle = std::get_if<AngleStep>(&step.action)) rename(angle->line, from, to);
+/// The lines of a crease pattern, "FROM 1" and so on, get the pattern's new name.
+void renameNumbered(FoldLineName& line, const std::string& from, const std::string& to) {
+  std::string* name = std::get_if<std::string>(&line);
+  if (name == nullptr || name->rfind(from + " ", 0) != 0) return;
+  const std::string number = name->substr(from.size() + 1);
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) return;
+  *name = to + " " + number;
+}
+
+/// Calls rename(name) for every fold line that the step names.
+template <class Rename>
+void forEachLine(Step& step, Rename rename) {
+  if (AngleStep* angle = std::get_if<AngleStep>(&step.action)) rename(angle->line);
   if (UnfoldStep* unfold = std::get_if<UnfoldStep>(&step.action)) {
-    for (FoldLineName& line : unfold->lines) rename(line, from, to);
+    for (FoldLineName& line : unfold->lines) rename(line);
   }
   if (RefoldStep* refold = std::get_if<RefoldStep>(&step.action)) {
-    for (FoldLineName& line : refold->lines) rename(line, from, to);
+    for (FoldLineName& line : refold->lines) rename(line);
+  }
+}
+
+/// Fold lines that `before` made and that have another name from `after` are called by it in the
+/// steps from `from` on.
+void followRenaming(const Step& before, const Step& after, std::size_t index,
+                    std::vector<Step>& steps) {
+  const std::optional<std::string> old = nameMadeBy(before, index);
+  const std::optional<std::string> now = nameMadeBy(after, index);
+  const PatternStep* oldPattern = std::get_if<PatternStep>(&before.action);
+  const PatternStep* nowPattern = std::get_if<PatternStep>(&after.action);
+  for (std::size_t i = index + 1; i < steps.size(); ++i) {
+    forEachLine(steps[i], [&](FoldLineName& line) {
+      if (old && now) rename(line, *old, *now);
+      if (oldPattern != nullptr && nowPattern != nullptr)
+        renameNumbered(line, linesName(*oldPattern), linesName(*nowPattern));
+    });
   }
 }
 
@@ -146,16 +175,12 @@ Status History::edit(std::size_t index, Step step, const Progress& progress) {
   History next = *this;
   next.dropUndone();
   std::vector<Step>& steps = next.model_.steps;
-  const std::optional<std::string> before = nameMadeBy(steps[index], index);
-  const std::optional<std::string> now = nameMadeBy(step, index);
-  if (now) {
+  if (const std::optional<std::string> now = nameMadeBy(step, index)) {
     if (const Status free = checkNameIsFree(steps, index, *now); !free) return free.error();
   }
   const bool isSameAction = steps[index].action == step.action;
+  followRenaming(steps[index], step, index, steps);
   steps[index] = std::move(step);
-  if (before && now && *before != *now) {
-    for (std::size_t i = index + 1; i < steps.size(); ++i) renameLine(steps[i], *before, *now);
-  }
   if (!isSameAction) {
     if (const Status done = next.replayFrom(index, progress); !done) return done.error();
   }

@@ -60,6 +60,13 @@ class Numbers {
     if (s.about) place(*s.about);
   }
   void operator()(const MoveStep& s) { place(s.by); }
+  void operator()(const PatternStep& s) {
+    points(s.vertices);
+    for (const PatternCrease& crease : s.creases) angle(crease.angle);
+    if (s.resting) place(*s.resting);
+    points(s.layers);
+    for (const auto& [upper, lower] : s.exceptions) points({upper, lower});
+  }
 
   Status result() const { return result_; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/model/apply.h"
+#include "core/model/pattern_step.h"
 #include "core/model/requests.h"
 #include "core/paper/boxes.h"
 
@@ -77,6 +78,7 @@ class Resolving {
     if (!step.about) step.about = flatten(modelBoxOf(state_).middle());
   }
   void operator()(MoveStep&) const {}
+  void operator()(PatternStep& step) const { nameLayers(after_, step); }
 
  private:
   DrawnLine onPaper(const FacetLine& line) const {

@@ -2,12 +2,15 @@
 // 2). SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/vec.h"
+#include "core/creases/crease_drawing.h"
 #include "core/geometry/bspline.h"
 
 namespace kiri {
@@ -185,9 +188,35 @@ struct MoveStep {
   bool operator==(const MoveStep&) const = default;
 };
 
+/// An edge of a crease pattern: its ends are positions in PatternStep::vertices.
+struct PatternCrease {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  Assignment assignment = Assignment::Unassigned;  ///< Border is none: that is the sheet's outline
+  double angle = 180;  ///< degrees, target of a hinge as AssignedPattern has it: valley positive
+  bool operator==(const PatternCrease&) const = default;
+};
+
+/// A whole crease pattern at once, drawn on the flat sheet before anything else is folded, and
+/// folded where that is asked for. Layers are chosen when the step is made and named by places on
+/// the paper, so that opening a file searches for nothing.
+struct PatternStep {
+  std::string name;            ///< of its fold lines: "NAME 1", "NAME 2"; empty: "crease"
+  std::vector<Vec2> vertices;  ///< paper frame, mm; of creases only
+  std::vector<PatternCrease> creases;
+  bool isFolded = false;        ///< else the creases are there and flat
+  std::optional<Vec2> resting;  ///< in the facet that stays where it is; none: the largest
+  /// A point of each facet, from the bottom to the top of every plane, seen from the side that the
+  /// front of the resting facet looks to. For planes at right angles to it: seen from the front of
+  /// that facet of theirs whose point lies leftmost, then lowest. Empty: searched for.
+  std::vector<Vec2> layers;
+  std::vector<std::pair<Vec2, Vec2>> exceptions;  ///< (upper, lower): what the list cannot say
+  bool operator==(const PatternStep&) const = default;
+};
+
 using Action =
     std::variant<FoldStep, AngleStep, UnfoldStep, RefoldStep, TearStep, MendStep, AddEdgeStep,
-                 StraightCutStep, CurveCutStep, TurnOverStep, RotateStep, MoveStep>;
+                 StraightCutStep, CurveCutStep, TurnOverStep, RotateStep, MoveStep, PatternStep>;
 
 /// One operation in a model's history.
 struct Step {

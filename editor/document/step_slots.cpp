@@ -147,6 +147,13 @@ class Collecting {
              [](Step& step) -> Vec2& { return as<MoveStep>(step).by; });
   }
 
+  void collect(const PatternStep&) {
+    addText({"name", {KIRI_TEXT("editor/document", "Name"), {}}},
+            [](Step& step) -> std::string& { return as<PatternStep>(step).name; });
+    addSwitch({"folded", {KIRI_TEXT("editor/document", "Folded"), {}}},
+              [](Step& step) -> bool& { return as<PatternStep>(step).isFolded; });
+  }
+
   template <class T>
   void collectGroup() {
     const auto lines = [](Step& step) -> std::vector<FoldLineName>& { return as<T>(step).lines; };

@@ -69,6 +69,12 @@ class Summing {
   Phrase operator()(const MoveStep& step) const {
     return {KIRI_TEXT("editor/document", "move by %1 mm"), {text(step.by)}};
   }
+  Phrase operator()(const PatternStep& step) const {
+    const std::vector<std::string> arguments{std::to_string(step.creases.size())};
+    if (step.isFolded)
+      return {KIRI_TEXT("editor/document", "crease pattern, %1 creases, folded"), arguments};
+    return {KIRI_TEXT("editor/document", "crease pattern, %1 creases"), arguments};
+  }
 
  private:
   int number_;

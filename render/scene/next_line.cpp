@@ -108,6 +108,9 @@ struct Words {
   std::string operator()(const TurnOverStep&) const { return "turn over"; }
   std::string operator()(const RotateStep&) const { return "rotate"; }
   std::string operator()(const MoveStep&) const { return "move"; }
+  std::string operator()(const PatternStep& step) const {
+    return step.isFolded ? "fold the crease pattern" : "crease";
+  }
 };
 
 }  // namespace

@@ -110,6 +110,13 @@ struct Writer {
     return "rotate " + numberText(s.degrees) + (s.about ? pointText(*s.about) : "");
   }
   std::string operator()(const MoveStep& s) const { return "move" + pointText(s.by); }
+  std::string operator()(const PatternStep& s) const {
+    std::string text = "pattern " + (s.name.empty() ? "" : s.name) + pointsText(s.vertices);
+    for (const PatternCrease& c : s.creases) {
+      text += " " + std::to_string(c.from) + "-" + std::to_string(c.to) + ":" + numberText(c.angle);
+    }
+    return text + (s.isFolded ? " folded" : "");
+  }
 };
 
 std::string sheetText(const SheetSpec& sheet) {
