@@ -22,7 +22,8 @@ enum class RepairKind {
   DroppedOutside,     ///< lines where there is no paper
   AddedBorder,        ///< lines of the outline that were not marked as border, or were missing
   SlitBorders,        ///< border lines with paper on both sides, read as cuts
-  JoinedPieces,       ///< vertices of degree two on a straight crease, left out
+  JoinedPieces,       ///< vertices that only lines left out had made on a straight line
+  IgnoredFaces,       ///< faces of the file that disagree with its border lines
 };
 
 /// What was repaired of one kind, for a list to show and a picture to mark.

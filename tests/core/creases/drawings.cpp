@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "tests/core/creases/drawings.h"
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+namespace kiri::test {
+namespace {
+
+std::string patternFolder() { return std::string(KIRI_SOURCE_DIR) + "/../shared/data/patterns/"; }
+
+std::size_t countIn(const std::string& text) { return text.empty() ? 0 : std::stoul(text); }
+
+Assignment assignmentOf(const std::string& letter) {
+  static const std::map<std::string, Assignment> letters{
+      {"B", Assignment::Border}, {"M", Assignment::Mountain},   {"V", Assignment::Valley},
+      {"F", Assignment::Flat},   {"U", Assignment::Unassigned}, {"C", Assignment::Cut},
+      {"J", Assignment::Join}};
+  const auto it = letters.find(letter);
+  return it == letters.end() ? Assignment::Unassigned : it->second;
+}
+
+/// Groups of edges that hang together, and vertices in use.
+struct Groups {
+  std::size_t groups = 0;
+  std::size_t vertices = 0;
+};
+
+Groups groupsIn(const CreasePattern& pattern) {
+  std::vector<std::uint32_t> parent(pattern.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v];
+    return v;
+  };
+  std::set<std::uint32_t> used;
+  for (const Edge& edge : pattern.edges) {
+    parent[root(edge.from.index)] = root(edge.to.index);
+    used.insert(edge.from.index);
+    used.insert(edge.to.index);
+  }
+  std::set<std::uint32_t> roots;
+  for (const std::uint32_t v : used) roots.insert(root(v));
+  return {roots.size(), used.size()};
+}
+
+}  // namespace
+
+std::vector<KnownPattern> knownPatterns() {
+  std::vector<KnownPattern> result;
+  std::ifstream in(patternFolder() + "conformance.csv");
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::vector<std::string> cells;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (cells.size() < 11) continue;
+    KnownPattern known{cells[0], countIn(cells[1]), countIn(cells[2]), countIn(cells[3]),
+                       -1,       cells[10] == "yes"};
+    if (!cells[5].empty()) known.badVertices = std::stoi(cells[5]);
+    result.push_back(known);
+  }
+  return result;
+}
+
+std::optional<CreaseDrawing> foldDrawing(const std::string& file, bool withFaces) {
+  if (file.size() < 5 || file.substr(file.size() - 5) != ".fold") return std::nullopt;
+  std::ifstream in(patternFolder() + file);
+  const nlohmann::json fold = nlohmann::json::parse(in, nullptr, false);
+  if (!fold.is_object()) return std::nullopt;
+  for (const std::string& name : fold.value("frame_classes", std::vector<std::string>{})) {
+    if (name == "foldedForm") return std::nullopt;
+  }
+  std::vector<Vec2> places;
+  for (const auto& p : fold.at("vertices_coords"))
+    places.push_back({p.at(0).get<double>(), p.at(1).get<double>()});
+  CreaseDrawing drawing;
+  const auto letters = fold.value("edges_assignment", std::vector<std::string>{});
+  for (const auto& e : fold.at("edges_vertices")) {
+    DrawnCrease line{places.at(e.at(0).get<std::size_t>()), places.at(e.at(1).get<std::size_t>()),
+                     Assignment::Unassigned, std::nullopt};
+    const std::size_t index = drawing.lines.size();
+    if (index < letters.size()) line.assignment = assignmentOf(letters[index]);
+    drawing.lines.push_back(line);
+  }
+  if (!withFaces || !fold.contains("faces_vertices")) return drawing;
+  for (const auto& face : fold.at("faces_vertices")) {
+    std::vector<Vec2> corners;
+    for (const auto& v : face) {
+      const std::size_t vertex = v.get<std::size_t>();
+      if (vertex < places.size()) corners.push_back(places[vertex]);
+    }
+    drawing.faces.push_back(corners);
+  }
+  return drawing;
+}
+
+std::vector<std::string> mapViolations(const AssignedPattern& creases) {
+  const CreasePattern& pattern = creases.pattern;
+  std::vector<std::string> wrong;
+  std::vector<int> uses(2 * pattern.edges.size(), 0);
+  for (std::size_t f = 0; f < pattern.facets.size(); ++f) {
+    const Facet& facet = pattern.facets[f];
+    double twice = 0;
+    for (std::size_t i = 0; i < facet.border.size(); ++i) {
+      const EdgeUse use = facet.border[i];
+      ++uses[2 * use.edge.index + (use.isReversed ? 1 : 0)];
+      const Edge& edge = pattern[use.edge];
+      if ((use.isReversed ? edge.right : edge.left) != FacetId(f))
+        wrong.push_back("facet " + std::to_string(f) + " is not beside its edge");
+      twice += cross(pattern[startOf(pattern, use)], pattern[endOf(pattern, use)]);
+    }
+    for (std::size_t loop = 0; loop <= facet.holeStarts.size(); ++loop) {
+      const std::size_t begin = loop == 0 ? 0 : facet.holeStarts[loop - 1];
+      const std::size_t end =
+          loop < facet.holeStarts.size() ? facet.holeStarts[loop] : facet.border.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        const EdgeUse next = facet.border[i + 1 < end ? i + 1 : begin];
+        if (endOf(pattern, facet.border[i]) != startOf(pattern, next))
+          wrong.push_back("the border of facet " + std::to_string(f) + " is open");
+      }
+    }
+    if (!(twice > 0)) wrong.push_back("facet " + std::to_string(f) + " has no area");
+  }
+  for (std::size_t e = 0; e < pattern.edges.size(); ++e) {
+    const Edge& edge = pattern.edges[e];
+    const bool isLeft = edge.left.isValid();
+    const bool isRight = edge.right.isValid();
+    const std::string name = "edge " + std::to_string(e);
+    if (uses[2 * e] != (isLeft ? 1 : 0) || uses[2 * e + 1] != (isRight ? 1 : 0))
+      wrong.push_back(name + " is not used once on each side with paper");
+    if (edge.kind == EdgeKind::Border && isLeft == isRight)
+      wrong.push_back(name + " is a border without paper on one side");
+    if (edge.kind != EdgeKind::Border && !(isLeft && isRight))
+      wrong.push_back(name + " has no paper on one side");
+    if (edge.kind == EdgeKind::Hinge && edge.left == edge.right)
+      wrong.push_back(name + " is a hinge with one facet");
+  }
+  const Groups groups = groupsIn(pattern);
+  if (groups.vertices != pattern.vertices.size()) wrong.emplace_back("a vertex is not used");
+  return wrong;
+}
+
+}  // namespace kiri::test

@@ -1,0 +1,36 @@
+// Drawings for the tests of repairs: real files with known answers, and edits that repairs undo.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/creases/assigned_pattern.h"
+#include "core/creases/crease_drawing.h"
+
+namespace kiri::test {
+
+/// A line of conformance.csv: what other programs found in a file.
+struct KnownPattern {
+  std::string file;  ///< below the folder of patterns
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  int badVertices = -1;  ///< locally; -1: not known
+  bool isUsable = false;
+};
+
+/// Empty where the folder of shared patterns is not there.
+std::vector<KnownPattern> knownPatterns();
+
+/// The lines of a FOLD file as they stand in it (first frame), with its faces when `withFaces`.
+/// Nothing for files of other formats and for folded forms.
+std::optional<CreaseDrawing> foldDrawing(const std::string& file, bool withFaces);
+
+/// What is wrong with a pattern as a planar map, found in linear time: borders that do not close,
+/// uses that do not agree with their edges, hinges with one facet, facets without area, vertices
+/// that nothing uses.
+std::vector<std::string> mapViolations(const AssignedPattern& creases);
+
+}  // namespace kiri::test
