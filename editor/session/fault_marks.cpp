@@ -3,7 +3,6 @@
 #include "editor/session/fault_marks.h"
 
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include "editor/session/moved_facets.h"
@@ -11,12 +10,6 @@
 namespace kiri {
 
 namespace {
-
-std::optional<FacetId> facetAround(const FoldedState& state, Vec2 place) {
-  const std::vector<FacetId> found = facetsHolding(state.pattern, {place});
-  if (found.empty()) return std::nullopt;
-  return found.front();
-}
 
 std::string degreesText(double degrees) {
   return std::to_string(static_cast<int>(std::lround(degrees))) + "°";
@@ -27,12 +20,12 @@ std::string degreesText(double degrees) {
 Marks marksOf(const Witness& witness, const FoldedState& state) {
   Marks marks;
   for (const auto& [from, to] : witness.segments) {
-    if (const auto facet = facetAround(state, lerp(from, to, 0.5))) {
+    if (const auto facet = facetAt(state.pattern, lerp(from, to, 0.5))) {
       marks.push_back(PathMark{MarkRole::Fault, {Spot{*facet, from}, Spot{*facet, to}}});
     }
   }
   for (const Vec2 point : witness.points) {
-    if (const auto facet = facetAround(state, point)) {
+    if (const auto facet = facetAt(state.pattern, point)) {
       marks.push_back(PointMark{MarkRole::Fault, Spot{*facet, point}});
     }
   }
