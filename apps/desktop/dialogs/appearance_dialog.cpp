@@ -176,7 +176,7 @@ void AppearanceDialog::show(bool isFront) {
                 return;
               }
               const double ratio = devicePixelRatioF();
-              QImage picture = pictureOf(**read).scaled(
+              QImage picture = toQt(**read).scaled(
                   QSize(kSwatch, kSwatch) * ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
               QImage onPaper(picture.size(), QImage::Format_RGB32);
               onPaper.fill(toQt(shown.side.color));

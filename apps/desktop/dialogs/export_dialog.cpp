@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "apps/desktop/dialogs/form.h"
-#include "apps/desktop/services/textures.h"
+#include "apps/desktop/look/convert.h"
 #include "render/canvas/rasterise.h"
 
 namespace kiri::desktop {
@@ -236,7 +236,7 @@ void ExportDialog::askPreview() {
     *facts = QSizeF(scene->width, scene->height);
     const Result<Image> image = rasterise(*scene, pixels, pixels);
     if (!image.isOk()) return;
-    *picture = pictureOf(*image);
+    *picture = toQt(*image);
     picture->setDevicePixelRatio(ratio);
   };
   task.done = [this, picture, facts] {

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "apps/desktop/look/convert.h"
+
 namespace kiri::desktop {
 
 namespace {
@@ -36,10 +38,7 @@ void addChain(QPainterPath& path, const std::vector<Arc>& chain, bool isClosed) 
 
 /// The image lying in the scene as `imageToScene` says, whose unit square it is, y up.
 QBrush brushOf(const Image& image, const Affine& imageToScene) {
-  const QImage pixels = QImage(image.rgba.data(), image.width, image.height,
-                               qsizetype{image.width} * 4, QImage::Format_RGBA8888)
-                            .copy();
-  QBrush brush(pixels);
+  QBrush brush(toQt(image));
   const QTransform toUnit(1.0 / image.width, 0, 0, -1.0 / image.height, 0, 1);
   const Affine& m = imageToScene;
   brush.setTransform(toUnit * QTransform(m.a, m.b, m.c, m.d, m.e, m.f));

@@ -36,12 +36,6 @@ Image imageOf(const QImage& picture) {
   return image;
 }
 
-QImage pictureOf(const Image& image) {
-  return QImage(image.rgba.data(), image.width, image.height, qsizetype{image.width} * 4,
-                QImage::Format_RGBA8888)
-      .copy();
-}
-
 Result<Image> readTexture(const QString& path) {
   constexpr int kMost = 4096;
   QImageReader reader(path);

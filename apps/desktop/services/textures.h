@@ -27,8 +27,7 @@ QString texturePathOf(const PaperSide& side, const QString& modelPath);
 Appearance appearanceWithTextures(const Model& model, const QString& modelPath,
                                   QStringList* problems = nullptr);
 
-/// `picture` as a texture, and back.
+/// `picture` as a texture; back: toQt.
 Image imageOf(const QImage& picture);
-QImage pictureOf(const Image& image);
 
 }  // namespace kiri::desktop
