@@ -12,8 +12,6 @@
 namespace kiri {
 namespace {
 
-/// A press and a release nearer than this are a click, pixels.
-constexpr double kClick = 4;
 /// How far a fitted curve may be from the stroke, pixels.
 constexpr double kFitError = 1.5;
 /// Points of a stroke nearer than this to the last one say nothing new, pixels.
@@ -202,7 +200,7 @@ bool CurveHand::follow(const PointerEvent& event, const Scope& scope) {
 }
 
 void CurveHand::moveHeld(const PointerEvent& event, const Scope& scope) {
-  const bool isFar = distance(event.at, pressedAt_) >= kClick;
+  const bool isFar = distance(event.at, pressedAt_) >= kDragBegins;
   if (phase_ == Phase::Drawing && controls_.size() == 1 && isFar) {
     isStroke_ = true;
     held_.reset();

@@ -10,8 +10,6 @@
 namespace kiri {
 namespace {
 
-constexpr double kClick = 4;
-
 Spot spotOn(const FoldedState& state, EdgeId edge, Vec2 paper) {
   return {state.pattern[edge].left, paper};
 }
@@ -70,7 +68,7 @@ void TearTool::follow(const PointerEvent& event, const Scope& scope) {
 
 Reaction TearTool::release(const PointerEvent& event, const Scope& scope) {
   if (event.button != PointerButton::Left) return Reaction::ignored();
-  const bool isClick = distance(event.at, pressedAt_) < kClick;
+  const bool isClick = distance(event.at, pressedAt_) < kDragBegins;
   if (phase_ == Phase::Dragging) {
     if (!isClick) follow(event, scope);
     if (isClick && !path_.isThere()) {
@@ -108,7 +106,7 @@ Reaction TearTool::pointer(const PointerEvent& event, const Scope& scope) {
     return Reaction::ignored();
   }
   if (event.pane != pane_) return Reaction::ignored();
-  if (phase_ == Phase::Dragging && distance(event.at, pressedAt_) < kClick)
+  if (phase_ == Phase::Dragging && distance(event.at, pressedAt_) < kDragBegins)
     return Reaction::handled();
   hasAlt_ = event.modifiers.alt;
   follow(event, scope);
