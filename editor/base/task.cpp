@@ -17,14 +17,17 @@ void DirectRunner::cancel(TaskId) {}
 
 struct LatestTask::Shared {
   TaskRunner* runner = nullptr;  ///< none when nobody wants anything any more
+  Overtaken overtaken = Overtaken::Stops;
   std::optional<Task> waiting;
   std::optional<TaskId> running;
   bool isRunning = false;
   bool isWanted = false;  ///< what runs is still the newest
 };
 
-LatestTask::LatestTask(TaskRunner& runner) : shared_(std::make_shared<Shared>()) {
+LatestTask::LatestTask(TaskRunner& runner, Overtaken overtaken)
+    : shared_(std::make_shared<Shared>()) {
   shared_->runner = &runner;
+  shared_->overtaken = overtaken;
 }
 
 LatestTask::~LatestTask() {
@@ -33,7 +36,7 @@ LatestTask::~LatestTask() {
 }
 
 void LatestTask::ask(Task task) {
-  clear();
+  if (shared_->overtaken == Overtaken::Stops) clear();
   shared_->waiting = std::move(task);
   if (!shared_->isRunning) begin(shared_);
 }

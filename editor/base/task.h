@@ -46,13 +46,17 @@ class DirectRunner final : public TaskRunner {
 /// those asked for between are dropped. For previews, meshes, pictures.
 class LatestTask {
  public:
-  explicit LatestTask(TaskRunner& runner);
+  /// What becomes of work that runs when newer work is asked for. MayEnd: it is done and reported
+  /// before the newest begins, so that work which lasts longer than the hand rests is not starved.
+  enum class Overtaken { Stops, MayEnd };
+
+  explicit LatestTask(TaskRunner& runner, Overtaken overtaken = Overtaken::Stops);
   ~LatestTask();
   LatestTask(const LatestTask&) = delete;
   LatestTask& operator=(const LatestTask&) = delete;
 
-  /// Asks for work. The work that runs is asked to stop; when it has ended the newest asked for
-  /// starts. `done` of dropped or stopped work is not called.
+  /// Asks for work. When what runs has ended (asked to stop, or by itself: Overtaken) the newest
+  /// asked for starts. `done` of dropped or stopped work is not called.
   void ask(Task task);
   /// Nothing is wanted any more.
   void clear();

@@ -24,7 +24,7 @@ QByteArray coloursOf(const Model& model) {
 }  // namespace
 
 StepsModel::StepsModel(SessionHub& hub, QObject* parent)
-    : QAbstractListModel(parent), hub_(hub), task_(hub.runner()) {
+    : QAbstractListModel(parent), hub_(hub), task_(hub.runner(), LatestTask::Overtaken::MayEnd) {
   connect(&hub, &SessionHub::documentChanged, this, &StepsModel::refresh);
   refresh();
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "apps/desktop/services/session_hub.h"
-#include "apps/desktop/services/steady_task.h"
+#include "editor/base/task.h"
 
 namespace kiri::desktop {
 
@@ -51,7 +51,7 @@ class StepsModel final : public QAbstractListModel {
   QHash<const FoldedState*, Picture> pictures_;
   QByteArray colours_;
   int pixels_ = 96;
-  SteadyTask task_;
+  LatestTask task_;
 };
 
 }  // namespace kiri::desktop

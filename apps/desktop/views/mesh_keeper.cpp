@@ -23,7 +23,7 @@ ShownMesh meshed(const FoldedState& state, std::uint64_t revision, const Progres
 }  // namespace
 
 MeshKeeper::MeshKeeper(SessionHub& hub, QObject* parent)
-    : QObject(parent), hub_(hub), task_(hub.runner()) {
+    : QObject(parent), hub_(hub), task_(hub.runner(), LatestTask::Overtaken::MayEnd) {
   connect(&hub, &SessionHub::shownChanged, this, &MeshKeeper::refresh);
   refresh();
 }

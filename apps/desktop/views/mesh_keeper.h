@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/desktop/services/session_hub.h"
-#include "apps/desktop/services/steady_task.h"
+#include "editor/base/task.h"
 #include "render/mesh/paper_mesh.h"
 #include "render/scene/view_spec.h"
 
@@ -44,7 +44,7 @@ class MeshKeeper final : public QObject {
   std::shared_ptr<const PaperMesh> base_;  ///< the last that was made anew
   std::shared_ptr<const FoldedState> baseState_;
   std::uint64_t asked_ = 0;
-  SteadyTask task_;
+  LatestTask task_;
 };
 
 }  // namespace kiri::desktop

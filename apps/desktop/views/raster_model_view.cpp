@@ -40,7 +40,7 @@ RasterModelView::RasterModelView(SessionHub& hub, AppearanceStore& look, QWidget
       hub_(hub),
       look_(look),
       input_(new PaneInput(hub.session(), Pane::Model, this)),
-      task_(hub.runner()) {
+      task_(hub.runner(), LatestTask::Overtaken::MayEnd) {
   connect(&hub, &SessionHub::shownChanged, this, &RasterModelView::refresh);
   connect(&hub, &SessionHub::viewChanged, this, &RasterModelView::refresh);
   connect(&look, &AppearanceStore::changed, this, &RasterModelView::refresh);

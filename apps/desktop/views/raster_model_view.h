@@ -6,9 +6,9 @@
 #include <QWidget>
 
 #include "apps/desktop/services/session_hub.h"
-#include "apps/desktop/services/steady_task.h"
 #include "apps/desktop/views/appearance_store.h"
 #include "apps/desktop/views/pane_input.h"
+#include "editor/base/task.h"
 
 namespace kiri::desktop {
 
@@ -34,7 +34,7 @@ class RasterModelView final : public QWidget {
   PaneInput* input_;
   QImage picture_;
   QString notice_;
-  SteadyTask task_;
+  LatestTask task_;
 };
 
 }  // namespace kiri::desktop

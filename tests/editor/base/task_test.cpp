@@ -38,6 +38,25 @@ TEST(LatestTask, AsksTheRunningWorkToStop) {
   EXPECT_TRUE(isStopped);
 }
 
+TEST(LatestTask, LetsWorkThatMayEndEndAndDoesTheNewestNext) {
+  HandRunner runner;
+  LatestTask latest(runner, LatestTask::Overtaken::MayEnd);
+  std::vector<int> notes;
+  bool isStopped = false;
+  latest.ask({{},
+              [&](const Progress& progress) { isStopped = !goesOn(progress, 0.5); },
+              [&] { notes.push_back(1); }});
+  latest.ask(noting(notes, 2));
+  latest.ask(noting(notes, 3));
+  runner.runAll();
+  EXPECT_FALSE(isStopped);
+  EXPECT_EQ(notes, (std::vector<int>{1, 3}));
+  latest.ask(noting(notes, 4));
+  latest.clear();
+  runner.runAll();
+  EXPECT_EQ(notes, (std::vector<int>{1, 3})) << "what is cleared says nothing more";
+}
+
 TEST(LatestTask, SaysNothingMoreWhenCleared) {
   HandRunner runner;
   LatestTask latest(runner);
