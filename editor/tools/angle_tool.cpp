@@ -7,7 +7,6 @@
 #include "core/fold/fold_line.h"
 #include "editor/tools/drawn_line.h"
 #include "editor/tools/tool_fields.h"
-#include "editor/tools/tool_marks.h"
 #include "editor/view/picking.h"
 
 namespace kiri {
@@ -225,9 +224,6 @@ Marks AngleTool::marks(const Scope& scope) const {
   if (!chosen_) return marks;
   addLine(chosen_->line, MarkRole::Selected);
   addDial(scope, marks);
-  if (scope.preview != nullptr && scope.preview->error)
-    addWitness(state, scope.preview->error->witness, marks);
-  if (scope.preview != nullptr) addCollisions(scope.preview->collisions, marks);
   return marks;
 }
 

@@ -96,7 +96,6 @@ class FoldOffer {
   bool isTurned(const Scope& scope) const;
   void addLayerFields(std::vector<Field>& fields) const;
   void addArrow(const Scope& scope, Marks& marks) const;
-  void addFaults(const Scope& scope, Marks& marks) const;
 
   LayerPicker layers_;
   LayerFan fan_;

@@ -7,7 +7,6 @@
 #include "core/fold/fold.h"
 #include "editor/tools/fold_offer.h"
 #include "editor/tools/tool_fields.h"
-#include "editor/tools/tool_marks.h"
 
 namespace kiri {
 namespace {
@@ -158,12 +157,6 @@ void FoldOffer::addArrow(const Scope& scope, Marks& marks) const {
       PathMark{role(scope), {at(mover.paper), at(foot + (foot - mover.paper) * 0.5)}, false, true});
 }
 
-void FoldOffer::addFaults(const Scope& scope, Marks& marks) const {
-  if (scope.preview == nullptr) return;
-  if (scope.preview->error) addWitness(*scope.state, scope.preview->error->witness, marks);
-  addCollisions(scope.preview->collisions, marks);
-}
-
 void FoldOffer::addMarks(const Scope& scope, Marks& marks) const {
   if (!isFor(*scope.state)) return;
   for (std::size_t i = 0; i < std::min(plan_->rims.size(), kMostRims); ++i) {
@@ -174,7 +167,6 @@ void FoldOffer::addMarks(const Scope& scope, Marks& marks) const {
   for (const auto& [from, to] : plan_->creases)
     marks.push_back(PathMark{role(scope), {from, to}, false, false});
   addArrow(scope, marks);
-  addFaults(scope, marks);
   fan_.addMarks(scope, plan_->segment, source_->pane, plan_->taken, marks);
 }
 

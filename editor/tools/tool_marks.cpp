@@ -6,31 +6,10 @@
 namespace kiri {
 namespace {
 
-constexpr std::size_t kMostCollisions = 8;
 /// Beyond it tints have to do.
 constexpr std::size_t kMostSelected = 64;
 
 }  // namespace
-
-void addWitness(const FoldedState& state, const Witness& witness, Marks& marks) {
-  for (const auto& [from, to] : witness.segments) {
-    const auto facet = facetAt(state.pattern, lerp(from, to, 0.5));
-    if (!facet) continue;
-    marks.push_back(
-        PathMark{MarkRole::Fault, {Spot{*facet, from}, Spot{*facet, to}}, false, false});
-  }
-  if (!witness.segments.empty()) return;
-  for (const Vec2 p : witness.points) {
-    if (const auto facet = facetAt(state.pattern, p))
-      marks.push_back(PointMark{MarkRole::Fault, Spot{*facet, p}});
-  }
-}
-
-void addCollisions(const std::vector<Collision>& collisions, Marks& marks) {
-  for (std::size_t i = 0; i < std::min(collisions.size(), kMostCollisions); ++i) {
-    marks.push_back(PointMark{MarkRole::Collision, collisions[i].place});
-  }
-}
 
 void addSelected(const FoldedState& state, const std::vector<Selected>& items, MarkRole role,
                  Marks& marks) {

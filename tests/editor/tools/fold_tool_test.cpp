@@ -127,7 +127,8 @@ TEST(FoldTool, ACollisionIsMarkedAndTheFoldCanBeMadeAllTheSame) {
   hand.click({55, 50});
   hand.held = {};
   hand.key('v');  // Q rises through P
-  EXPECT_GE(hand.count(MarkRole::Collision), 1U);
+  ASSERT_NE(hand.scope().preview, nullptr);
+  EXPECT_FALSE(hand.scope().preview->collisions.empty()) << "the session marks it";
   EXPECT_TRUE(hand.key(Key::Enter).wantsCommit);
   ASSERT_EQ(hand.steps().size(), 1U);
   EXPECT_FALSE(hand.state().collisions.empty());
