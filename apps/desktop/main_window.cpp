@@ -98,6 +98,8 @@ void MainWindow::connectFiles() {
   connect(files_, &FileDesk::warned, this, [this](const QStringList& sentences) {
     status_->say(Notice::Kind::Warning, sentences.join("; "));
   });
+  connect(&look_, &AppearanceStore::failed, this,
+          [this](const QString& sentence) { status_->say(Notice::Kind::Warning, sentence); });
   connect(menus_.recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   connect(menus_.examples, &QMenu::aboutToShow, this,
           [this] { dialogs_->fillExamples(*menus_.examples); });

@@ -38,7 +38,8 @@ Reaction StraightCutTool::press(const PointerEvent& event, const Scope& scope) {
 
 Reaction StraightCutTool::pointer(const PointerEvent& event, const Scope& scope) {
   if (event.action == PointerAction::Press) return press(event, scope);
-  if (press_ && event.action == PointerAction::Move && distance(event.at, press_->at) >= kDragBegins) {
+  if (press_ && event.action == PointerAction::Move &&
+      distance(event.at, press_->at) >= kDragBegins) {
     // A drag on the paper is another cut.
     cut_.reset();
     hand_.begin(*press_, scope);

@@ -176,8 +176,8 @@ void AppearanceDialog::show(bool isFront) {
                 return;
               }
               const double ratio = devicePixelRatioF();
-              QImage picture = toQt(**read).scaled(
-                  QSize(kSwatch, kSwatch) * ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+              QImage picture = toQt(**read).scaled(QSize(kSwatch, kSwatch) * ratio,
+                                                   Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
               QImage onPaper(picture.size(), QImage::Format_RGB32);
               onPaper.fill(toQt(shown.side.color));
               QPainter(&onPaper).drawImage(0, 0, picture);

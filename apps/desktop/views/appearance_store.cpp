@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/views/appearance_store.h"
 
+#include <optional>
 #include <utility>
 
 #include "apps/desktop/look/convert.h"
 #include "apps/desktop/services/textures.h"
 
 namespace kiri::desktop {
-namespace {
-
-std::shared_ptr<const Image> readImage(const QString& file) {
-  Result<Image> image = readTexture(file);
-  return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
-}
-
-}  // namespace
 
 AppearanceStore::AppearanceStore(SessionHub& hub, QObject* parent)
     : QObject(parent), hub_(hub), readFront_(hub.runner()), readBack_(hub.runner()) {
@@ -40,11 +33,17 @@ void AppearanceStore::read(Texture& texture, LatestTask& task, const QString& fi
   texture = {file, nullptr};
   task.clear();
   if (file.isEmpty()) return;
-  auto image = std::make_shared<std::shared_ptr<const Image>>();
+  auto image = std::make_shared<std::optional<Result<Image>>>();
   task.ask({{},
-            [file, image](const Progress&) { *image = readImage(file); },
+            [file, image](const Progress&) { *image = readTexture(file); },
             [this, &texture, image] {
-              texture.image = *image;
+              if (!image->has_value()) return;  // the program ends
+              Result<Image>& read = **image;
+              if (!read) {
+                emit failed(toQt(read.error().message));
+                return;
+              }
+              texture.image = std::make_shared<const Image>(std::move(*read));
               apply();
             }});
 }

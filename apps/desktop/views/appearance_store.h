@@ -28,6 +28,8 @@ class AppearanceStore final : public QObject {
 
  signals:
   void changed();
+  /// A texture cannot be read; its side keeps the plain colour.
+  void failed(const QString& sentence);
 
  private:
   void refresh();

@@ -12,6 +12,7 @@
 #include "apps/desktop/panels/fold_row.h"
 #include "apps/desktop/panels/fold_rows.h"
 #include "apps/desktop/panels/unit_box.h"
+#include "editor/document/new_sheet.h"
 #include "tests/apps/desktop/window_hand.h"
 
 namespace kiri::desktop {
@@ -29,6 +30,15 @@ TEST_F(Window, OpensTheLeafAndSaysWhatLiesThere) {
   EXPECT_EQ(window->docks().steps->model()->rowCount(),
             static_cast<int>(session().document().model().steps.size()) + 1);
   picture("leaf-light");
+}
+
+TEST_F(Window, SaysWhichImageOfThePaperCannotBeRead) {
+  Model model = sheetPresets().front().model;
+  model.front.texture = "/nowhere/bark.png";
+  window->files().openModel(model);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [this] { return window->statusLine().hint().contains("/nowhere/bark.png"); }, 5000))
+      << window->statusLine().hint().toStdString();
 }
 
 TEST_F(Window, BothPanesShowThePaperInItsColours) {
