@@ -27,8 +27,10 @@ struct VertexFault {
 /// The faults of all vertices inside the paper, ordered by vertex, then rule. Flat creases, joins
 /// and cuts do not count as folded; a vertex on a border or cut has no condition. Unassigned
 /// creases may be either: a rule is broken only when no choice keeps it. `within`: degrees by which
-/// Kawasaki may be missed; 0: what the precision of the drawing lets one expect. Sources: Hull,
-/// Project Origami; guide to algorithms 4.1; single-vertex crimping.
+/// Kawasaki may be missed and equal angles differ; 0: as much as ends of creases drawn within
+/// Tolerance::thin() of their places explain (real drawings miss by up to a fifth of that).
+/// SelfCrossing is told where all other rules hold. Sources: Hull, Project Origami; guide to
+/// algorithms 4.1; single-vertex crimping.
 std::vector<VertexFault> vertexFaults(const AssignedPattern& creases, double within = 0);
 
 }  // namespace kiri
