@@ -16,5 +16,6 @@ void addStepsCommand(CLI::App& app, Console& console, int& code);
 void addExportCommand(CLI::App& app, Console& console, int& code);
 void addResolveCommand(CLI::App& app, Console& console, int& code);
 void addLeafCommand(CLI::App& app, Console& console, int& code);
+void addMeasureCommand(CLI::App& app, Console& console, int& code);
 
 }  // namespace kiri::cli

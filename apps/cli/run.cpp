@@ -112,6 +112,7 @@ int parseAndRun(const std::vector<std::string>& arguments, Console& console) {
   addExportCommand(app, console, code);
   addResolveCommand(app, console, code);
   addLeafCommand(app, console, code);
+  addMeasureCommand(app, console, code);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);

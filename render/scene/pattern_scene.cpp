@@ -120,10 +120,14 @@ Box boxOf(const CreasePattern& pattern) {
 
 }  // namespace
 
+Affine patternPlacement(const CreasePattern& pattern, const PatternSceneOptions& options) {
+  return placed(boxOf(pattern), options.scale, {options.margin, options.margin});
+}
+
 Scene patternScene(const FoldedState& state, const Appearance& appearance,
                    const PatternSceneOptions& options) {
   const Box box = boxOf(state.pattern);
-  const Affine toScene = placed(box, options.scale, {options.margin, options.margin});
+  const Affine toScene = patternPlacement(state.pattern, options);
   Scene scene;
   scene.width = (box.high.x - box.low.x) * options.scale + 2 * options.margin;
   scene.height = (box.high.y - box.low.y) * options.scale + 2 * options.margin;

@@ -29,4 +29,7 @@ struct PatternSceneOptions {
 Scene patternScene(const FoldedState& state, const Appearance& appearance,
                    const PatternSceneOptions& options = {});
 
+/// Where the paper frame comes to lie in that picture.
+Affine patternPlacement(const CreasePattern& pattern, const PatternSceneOptions& options);
+
 }  // namespace kiri

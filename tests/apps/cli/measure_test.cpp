@@ -1,0 +1,61 @@
+// kiri measure on the command line.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "apps/cli/run.h"
+
+namespace kiri::cli {
+namespace {
+
+constexpr const char* kKite = R"({"format": "kiri", "version": 1, "sheet": {"shape": "polygon",
+  "outline": [[0, 0], [10, 20], [0, 40], [-10, 20]]}, "steps": []})";
+
+struct MeasureRun {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+MeasureRun measureRun(std::vector<std::string> arguments) {
+  std::istringstream in(kKite);
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console{in, out, err, false, {}};
+  arguments.insert(arguments.begin(), {"measure", "-", "--petiole", "0", "0"});
+  MeasureRun done;
+  done.code = run(arguments, console);
+  done.out = out.str();
+  done.err = err.str();
+  return done;
+}
+
+TEST(MeasureCommand, JsonHoldsTheMeasuresAndNamesTheConventions) {
+  const MeasureRun done = measureRun({"--json"});
+  ASSERT_EQ(done.code, kDone) << done.err;
+  const auto json = nlohmann::json::parse(done.out);
+  EXPECT_NEAR(json["length"].get<double>(), 40, 1e-9);
+  EXPECT_NEAR(json["width"].get<double>(), 20, 1e-9);
+  EXPECT_NEAR(json["area"].get<double>(), 400, 1e-9);
+  EXPECT_NEAR(json["solidity"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(json["lobes"], 1);
+  EXPECT_EQ(json["margin"][0]["kind"], "lobe");
+  EXPECT_NE(json["conventions"].get<std::string>().find("hull"), std::string::npos);
+}
+
+TEST(MeasureCommand, CsvHasOneMeasureARow) {
+  const MeasureRun done = measureRun({"--csv"});
+  ASSERT_EQ(done.code, kDone) << done.err;
+  EXPECT_EQ(done.out.substr(0, done.out.find('\n')), "measure,value,unit,angle,x,y");
+  EXPECT_NE(done.out.find("\nwidth,20,mm,,,\n"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("\nlobe,40,mm,0,0,40\n"), std::string::npos) << done.out;
+}
+
+TEST(MeasureCommand, JsonAndCsvDoNotGoTogether) {
+  EXPECT_EQ(measureRun({"--json", "--csv"}).code, kBadUsage);
+}
+
+}  // namespace
+}  // namespace kiri::cli
