@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/model/pattern_step.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "core/base/text.h"
+#include "core/model/facet_finder.h"
 #include "core/model/pattern_creases.h"
+#include "core/model/pattern_layers.h"
 #include "core/model/pattern_lines.h"
+#include "core/model/pattern_motion.h"
+#include "core/model/pattern_order.h"
 
 namespace kiri {
 namespace {
@@ -30,11 +37,24 @@ Result<FacetId> restingFacet(const CreasePattern& pattern, const PatternStep& st
   return largest;
 }
 
-std::vector<double> targetsOf(const CreasedSheet& creased, const PatternStep& step) {
-  std::vector<double> targets(creased.pattern.edges.size(), 0);
+/// By edge: what each becomes.
+struct Targets {
+  std::vector<double> angles;
+  std::vector<Assignment> assignments;
+};
+
+Targets targetsOf(const CreasedSheet& creased, const PatternStep& step) {
+  const std::size_t count = creased.pattern.edges.size();
+  Targets targets{std::vector<double>(count, 0), std::vector<Assignment>(count)};
+  for (std::size_t e = 0; e < count; ++e) {
+    const bool isCut = creased.pattern.edges[e].kind == EdgeKind::Cut;
+    targets.assignments[e] = isCut ? Assignment::Cut : Assignment::Border;
+  }
   for (std::size_t i = 0; i < step.creases.size(); ++i) {
-    if (step.creases[i].assignment != Assignment::Cut)
-      targets[creased.firstCrease + i] = step.creases[i].angle;
+    const PatternCrease& crease = step.creases[i];
+    const std::size_t e = creased.firstCrease + i;
+    targets.assignments[e] = crease.assignment;
+    if (crease.assignment != Assignment::Cut) targets.angles[e] = crease.angle;
   }
   return targets;
 }
@@ -60,27 +80,169 @@ LayerOrder flatLayers(const CreasePattern& pattern, const Vec3& normal) {
   return LayerOrder({std::move(set)});
 }
 
+/// From the creased flat sheet to the folded state.
+class PatternFolding {
+ public:
+  PatternFolding(FoldedState flat, const PatternStep& step, Targets targets,
+                 const PatternRequest& request)
+      : flat_(std::move(flat)),
+        end_(flat_),
+        step_(step),
+        targets_(std::move(targets)),
+        request_(request) {}
+
+  Result<PatternOutcome> run() {
+    turn(targets_.angles);
+    if (const double gap = stretchOf(end_); gap > end_.tolerance().length()) return open();
+    if (const Status ordered = order(); !ordered) return ordered.error();
+    directUnassigned(end_, targets_.assignments);
+    takeLines();
+    if (const std::optional<Collision> fault = faultOf(end_)) end_.collisions.push_back(*fault);
+    PatternOutcome outcome{end_, std::nullopt, std::nullopt, refused_};
+    if (request_.wantsMotion) addMotion(outcome);
+    if (!goesOn(request_.progress, 1))
+      return Error{ErrorCode::Cancelled, "the folding of the pattern was stopped", {}};
+    return outcome;
+  }
+
+ private:
+  void turn(const std::vector<double>& angles) {
+    for (std::size_t e = 0; e < angles.size(); ++e) {
+      if (end_.pattern.edges[e].kind == EdgeKind::Hinge) end_.pattern.edges[e].angle = angles[e];
+    }
+    end_.poses = derivePoses(end_.pattern, end_.rests);
+  }
+
+  /// The hinge whose sides disagree most.
+  Error open() const {
+    const Edge* worst = nullptr;
+    double most = -1;
+    for (const Edge& edge : end_.pattern.edges) {
+      if (edge.kind != EdgeKind::Hinge) continue;
+      for (const VertexId v : {edge.from, edge.to}) {
+        const Vec2 p = end_.pattern[v];
+        const double gap =
+            distance(end_.poseOf(edge.left).apply(p), end_.poseOf(edge.right).apply(p));
+        if (gap <= most) continue;
+        most = gap;
+        worst = &edge;
+      }
+    }
+    const Vec2 a = end_.pattern[worst->from];
+    const Vec2 b = end_.pattern[worst->to];
+    return {
+        ErrorCode::WouldStretch,
+        "the creases do not fold to these angles: the paper on the two sides of the crease from " +
+            text(a) + " to " + text(b) + " mm would be " + text(most) +
+            " mm apart; leave the pattern flat and fold it crease by crease, or mend the "
+            "drawing",
+        {{a, b}, {{a, b}}, {}}};
+  }
+
+  Status order() {
+    if (!step_.layers.empty()) {
+      Result<LayerOrder> given = layersFrom(end_, step_);
+      if (!given) return given.error();
+      end_.layers = std::move(*given);
+      return std::monostate{};
+    }
+    end_.layers = unorderedLayers(end_);
+    if (!request_.orders.empty() && takeOrders()) return std::monostate{};
+    const bool isOpen = std::any_of(targets_.assignments.begin(), targets_.assignments.end(),
+                                    [](Assignment a) { return a == Assignment::Unassigned; });
+    if (!isOpen || !isFlat(end_)) {
+      motion_ = patternMotion(flat_, end_, request_.progress);
+      if (motion_->way == PatternWay::Rigid && motion_->end) {
+        end_.layers = motion_->end->layers;
+        return std::monostate{};
+      }
+    }
+    if (isFlat(end_)) return searchLayers(end_, targets_.assignments, request_.progress);
+    orderPartly(end_);
+    return std::monostate{};
+  }
+
+  /// True when the orders that were asked for are an order without a fault.
+  bool takeOrders() {
+    FoldedState ordered = end_;
+    orderAs(ordered, request_.orders);
+    directUnassigned(ordered, targets_.assignments);
+    if (const std::optional<Collision> fault = faultOf(ordered)) {
+      refused_ = fault->message;
+      return false;
+    }
+    end_.layers = std::move(ordered.layers);
+    return true;
+  }
+
+  /// The signs of unassigned creases are known now: lines are made from what the hinges have.
+  void takeLines() {
+    for (std::size_t e = 0; e < targets_.angles.size(); ++e) {
+      Edge& edge = end_.pattern.edges[e];
+      targets_.angles[e] = edge.kind == EdgeKind::Hinge ? edge.angle : 0;
+      edge.line = FoldLineId();
+    }
+    end_.lines.clear();
+    makeFoldLines(end_, targets_.angles, end_.rests.front().facet, linesName(step_));
+    for (std::size_t e = 0; e < targets_.angles.size(); ++e) {
+      flat_.pattern.edges[e] = end_.pattern.edges[e];
+      flat_.pattern.edges[e].angle = 0;
+    }
+    flat_.lines = end_.lines;
+  }
+
+  void addMotion(PatternOutcome& outcome) {
+    if (!motion_) motion_ = patternMotion(flat_, end_, request_.progress);
+    outcome.way = motion_->way;
+    if (motion_->way != PatternWay::Rigid || !motion_->end) return;
+    if (haveSameOrder(*motion_->end, end_)) {
+      outcome.movement = movementAlong(flat_, motion_->path, end_);
+    } else {
+      outcome.way = PatternWay::MeetsItself;
+    }
+  }
+
+  FoldedState flat_;
+  FoldedState end_;
+  const PatternStep& step_;
+  Targets targets_;
+  const PatternRequest& request_;
+  std::optional<std::string> refused_;
+  std::optional<PatternMotion> motion_;
+};
+
 }  // namespace
 
 std::string linesName(const PatternStep& step) { return step.name.empty() ? "crease" : step.name; }
 
-Result<FoldedState> applyPattern(const FoldedState& state, const PatternStep& step, Movements*) {
-  Result<CreasedSheet> creased = creasedSheet(state.pattern, step);
+Result<PatternOutcome> foldPattern(const FoldedState& sheet, const PatternStep& step,
+                                   const PatternRequest& request) {
+  Result<CreasedSheet> creased = creasedSheet(sheet.pattern, step);
   if (!creased) return creased.error();
-  const std::vector<double> targets = targetsOf(*creased, step);
+  Targets targets = targetsOf(*creased, step);
   const Result<FacetId> resting = restingFacet(creased->pattern, step);
   if (!resting) return resting.error();
-  FoldedState next(std::move(creased->pattern));
-  next.collisions = state.collisions;
-  next.rests = restsOf(next.pattern, *resting, state.poseOf(FacetId(0)));
-  next.poses = derivePoses(next.pattern, next.rests);
-  next.layers = flatLayers(next.pattern, state.layers.sets().front().normal);
-  makeFoldLines(next, targets, *resting, linesName(step));
-  return next;
+  FoldedState flat(std::move(creased->pattern));
+  flat.collisions = sheet.collisions;
+  flat.rests = restsOf(flat.pattern, *resting, sheet.poseOf(FacetId(0)));
+  flat.poses = derivePoses(flat.pattern, flat.rests);
+  flat.layers = flatLayers(flat.pattern, sheet.layers.sets().front().normal);
+  makeFoldLines(flat, targets.angles, *resting, linesName(step));
+  if (!step.isFolded) return PatternOutcome{std::move(flat), {}, {}, {}};
+  return PatternFolding(std::move(flat), step, std::move(targets), request).run();
+}
+
+Result<FoldedState> applyPattern(const FoldedState& state, const PatternStep& step,
+                                 Movements* record) {
+  Result<PatternOutcome> outcome = foldPattern(state, step, {record != nullptr, {}, {}});
+  if (!outcome) return outcome.error();
+  if (record != nullptr && outcome->movement) record->push_back(std::move(*outcome->movement));
+  return std::move(outcome->state);
 }
 
 void nameLayers(const FoldedState& after, PatternStep& step) {
-  if (!step.resting) step.resting = interiorPointOf(after.pattern, after.rests.front().facet);
+  if (!step.resting) step.resting = namingPointOf(after.pattern, after.rests.front().facet);
+  if (step.isFolded && step.layers.empty()) writeLayers(after, step);
 }
 
 }  // namespace kiri

@@ -2,14 +2,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/fold/movement.h"
+#include "core/model/pattern_motion.h"
 #include "core/model/step.h"
 #include "core/paper/folded_state.h"
 
 namespace kiri {
 
-/// The sheet with the creases of a pattern. Errors: those of creasedSheet.
+/// What comes of a pattern, and how.
+struct PatternOutcome {
+  FoldedState state;
+  std::optional<PatternWay> way;       ///< of a folded one, where the motion was asked for
+  std::optional<Movement> movement;    ///< where the way is Rigid
+  std::optional<std::string> refused;  ///< why the orders asked for were not taken
+};
+
+struct PatternRequest {
+  bool wantsMotion = false;
+  /// Where the step has no layers: what is known of them, taken if it is an order without a fault.
+  std::vector<DrawnOrder> orders;
+  Progress progress;
+};
+
+/// The sheet with the creases of a pattern, folded where the step says so. Layers that the step
+/// leaves open are those of the rigid motion, where there is one that meets nothing, else they are
+/// searched for. Paper through paper in a given order is noted as a collision. Errors: those of
+/// creasedSheet, layersFrom and searchLayers; WouldStretch - the facets do not go together at the
+/// target angles; Cancelled.
+Result<PatternOutcome> foldPattern(const FoldedState& sheet, const PatternStep& step,
+                                   const PatternRequest& request);
+
+/// The same as a step is applied: `record`, where there is one, gets the movement.
 Result<FoldedState> applyPattern(const FoldedState& state, const PatternStep& step,
                                  Movements* record = nullptr);
 
