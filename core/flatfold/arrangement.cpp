@@ -38,6 +38,7 @@ class Divider {
       : within_(within) {
     const Clusters clusters = clustersOf(points, within);
     points_ = clusters.middles;
+    noteMoves(points, clusters);
     for (const std::array<std::uint32_t, 2>& line : lines) {
       const std::uint32_t code = codeOf(clusters.of[line[0]], clusters.of[line[1]]);
       chains_.push_back(code);
@@ -59,6 +60,7 @@ class Divider {
   std::optional<Arrangement> result() const {
     Arrangement made;
     made.points = points_;
+    made.farthest = farthest_;
     std::vector<std::uint32_t> number(pieces_.size(), kNoPiece);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (isDivided(i)) continue;
@@ -79,6 +81,11 @@ class Divider {
     std::uint32_t firstPart = 0;
     std::uint32_t parts = 0;  ///< 0: not divided
   };
+
+  void noteMoves(const std::vector<Vec2>& points, const Clusters& clusters) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      farthest_ = std::max(farthest_, distance(points[i], clusters.middles[clusters.of[i]]));
+  }
 
   bool isDivided(std::size_t piece) const { return pieces_[piece].parts > 0; }
   Segment2 segmentOf(std::size_t piece) const {
@@ -137,12 +144,14 @@ class Divider {
   }
 
   void splitsNear(const BoxTree& tree, std::size_t piece, std::size_t firstPoint,
-                  std::vector<Split>& splits) const {
+                  std::vector<Split>& splits) {
     const Segment2 segment = segmentOf(piece);
     tree.near(segment, within_, [&](std::uint32_t item) {
       const std::size_t p = firstPoint + item;
       if (p == pieces_[piece].ends[0] || p == pieces_[piece].ends[1]) return;
-      if (distanceTo(segment, points_[p]) > within_) return;
+      const double away = distanceTo(segment, points_[p]);
+      if (away > within_) return;
+      farthest_ = std::max(farthest_, away);
       addSplit(piece, p, splits);
     });
   }
@@ -199,6 +208,7 @@ class Divider {
       places.push_back(lerp(a.from, a.to, left / (left - right)));
     }
     const Clusters clusters = clustersOf(places, within_);
+    noteMoves(places, clusters);
     std::vector<std::uint32_t> pointOf;
     for (const Vec2 middle : clusters.middles) pointOf.push_back(pointAt(middle));
     for (std::size_t m = 0; m < meetings.size(); ++m) {
@@ -224,7 +234,10 @@ class Divider {
       best = d;
       nearest = p;
     });
-    if (nearest != kNoPiece) return nearest;
+    if (nearest != kNoPiece) {
+      farthest_ = std::max(farthest_, best);
+      return nearest;
+    }
     points_.push_back(place);
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
@@ -249,6 +262,7 @@ class Divider {
   }
 
   double within_;
+  double farthest_ = 0;
   std::vector<Vec2> points_;
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> parts_;   ///< codes of the parts of divided pieces
@@ -268,6 +282,21 @@ std::optional<Arrangement> arrange(const std::vector<Vec2>& points,
   Divider divider(points, lines, within);
   if (!divider.divide()) return std::nullopt;
   return divider.result();
+}
+
+bool isClear(const Arrangement& a, double distance) {
+  std::vector<Box> boxes;
+  for (const Vec2 p : a.points) boxes.push_back(boxAt(p));
+  const BoxTree tree(std::move(boxes));
+  return std::all_of(a.pieces.begin(), a.pieces.end(), [&](const auto& piece) {
+    const Segment2 segment{a.points[piece[0]], a.points[piece[1]]};
+    bool isAlone = true;
+    tree.near(segment, distance, [&](std::uint32_t p) {
+      if (p == piece[0] || p == piece[1]) return;
+      if (distanceTo(segment, a.points[p]) <= distance) isAlone = false;
+    });
+    return isAlone;
+  });
 }
 
 }  // namespace kiri

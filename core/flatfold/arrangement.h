@@ -18,6 +18,7 @@ struct Arrangement {
   std::vector<std::array<std::uint32_t, 2>> pieces;  ///< two different points, no pair twice
   std::vector<std::uint32_t> starts;  ///< by line, into `chain`; one more than there are lines
   std::vector<std::uint32_t> chain;   ///< codes of the pieces that a line became, in its direction
+  double farthest = 0;  ///< the longest way that a point was moved, or a piece to a point beside it
 };
 
 /// Divides lines between points so that points within `within` of a line lie on it, points within
@@ -26,5 +27,8 @@ struct Arrangement {
 std::optional<Arrangement> arrange(const std::vector<Vec2>& points,
                                    const std::vector<std::array<std::uint32_t, 2>>& lines,
                                    double within);
+
+/// True when every point is farther than `distance` from all pieces that do not end there.
+bool isClear(const Arrangement& arrangement, double distance);
 
 }  // namespace kiri

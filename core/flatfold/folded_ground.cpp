@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -14,11 +15,16 @@
 namespace kiri {
 namespace {
 
-/// Distances tried: from the shortest line / 8 by halves.
-constexpr double kFirstPart = 8;
-constexpr int kTrials = 40;
-/// Trials one after the other that must give the same map.
-constexpr int kStable = 3;
+/// The shortest line may be divided, but not more coarsely than this part of it.
+constexpr double kCoarsestPart = 4;
+/// A distance is sure when nothing was moved by more than a part of it, and nothing that is apart
+/// lies nearer than a multiple: any distance between would give the same map. Tried first with much
+/// room, then with less, at steps that do not jump over such a gap.
+struct Room {
+  double factor = 1;
+  double step = 2;
+};
+constexpr Room kRooms[] = {{4, 8}, {1.5, 2}, {1, 2}};
 
 /// The ground as one distance divides it.
 struct Trial {
@@ -27,56 +33,78 @@ struct Trial {
   PlanarCells cells;
   LinesAlong along;
   CellFacets facets;
-
-  bool isLike(const Trial& other) const {
-    return arrangement.points.size() == other.arrangement.points.size() &&
-           arrangement.pieces.size() == other.arrangement.pieces.size();
-  }
 };
 
-double shortestLine(const FoldedLines& lines) {
-  double shortest = 0;
-  for (const std::array<std::uint32_t, 2>& ends : lines.ends) {
-    const double length = distance(lines.points[ends[0]], lines.points[ends[1]]);
-    if (length > 0 && (shortest == 0 || length < shortest)) shortest = length;
-  }
-  return shortest;
-}
-
-std::optional<Trial> tryWithin(const FoldedLines& lines, double within) {
-  std::optional<Arrangement> arrangement = arrange(lines.points, lines.ends, within);
-  if (!arrangement) return std::nullopt;
-  std::optional<PlanarCells> cells = cellsOf(*arrangement);
-  if (!cells) return std::nullopt;
-  Trial trial{within, std::move(*arrangement), std::move(*cells), {}, {}};
-  trial.along = linesAlong(trial.arrangement);
-  trial.facets = facetsOfCells(trial.arrangement, trial.cells, lines, trial.along);
-  if (trial.facets.wrongAt) return std::nullopt;
-  return trial;
-}
-
-std::optional<Trial> stableTrial(const FoldedLines& lines, const Progress& progress,
-                                 bool& wasCancelled) {
-  double within = shortestLine(lines) / kFirstPart;
-  std::optional<Trial> best;
-  int stable = 0;
-  for (int i = 0; i < kTrials; ++i, within /= 2) {
-    if (!goesOn(progress, 0.5 * i / kTrials)) {
-      wasCancelled = true;
-      return std::nullopt;
+class Trials {
+ public:
+  Trials(const AssignedPattern& creases, const FlatMap& map, const FoldedLines& lines)
+      : lines_(lines), error_(map.error), paper_(areaOf(creases.pattern)) {
+    double shortest = creases.pattern.tolerance.sheetSize();
+    for (const std::array<std::uint32_t, 2>& ends : lines.ends) {
+      const double line = distance(lines.points[ends[0]], lines.points[ends[1]]);
+      if (line > 0) shortest = std::min(shortest, line);
+      total_ += line;
     }
-    std::optional<Trial> trial = tryWithin(lines, within);
-    if (!trial) {
-      stable = 0;
-      best.reset();
-      continue;
-    }
-    stable = best && trial->isLike(*best) ? stable + 1 : 1;
-    best = std::move(trial);
-    if (stable == kStable) return best;
+    coarsest_ = shortest / kCoarsestPart;
+    finest_ = kVanishing * creases.pattern.tolerance.sheetSize();
+    // Between what ought to coincide but does not, and what ought not to.
+    const double low = std::max(map.error, creases.pattern.tolerance.length());
+    middle_ = std::min(coarsest_, std::sqrt(low * coarsest_));
   }
-  return best;
-}
+
+  /// The distances nearest to the likely one come first. None when all fail.
+  std::optional<Trial> best(const Progress& progress, bool& wasCancelled) const {
+    for (std::size_t r = 0; r < std::size(kRooms); ++r) {
+      double up = middle_ * kRooms[r].step;
+      double down = middle_;
+      while (down >= finest_ || up <= coarsest_) {
+        if (!goesOn(progress, static_cast<double>(r) / std::size(kRooms))) {
+          wasCancelled = true;
+          return std::nullopt;
+        }
+        for (const double within : {down, up}) {
+          if (within < finest_ || within > coarsest_) continue;
+          if (std::optional<Trial> trial = tryWithin(within, kRooms[r].factor)) return trial;
+        }
+        down /= kRooms[r].step;
+        up *= kRooms[r].step;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Trial> tryWithin(double within, double room) const {
+    std::optional<Arrangement> arrangement = arrange(lines_.points, lines_.ends, within);
+    if (!arrangement || arrangement->farthest * room > within) return std::nullopt;
+    if (room > 1 && !isClear(*arrangement, room * within)) return std::nullopt;
+    std::optional<PlanarCells> cells = cellsOf(*arrangement);
+    if (!cells) return std::nullopt;
+    Trial trial{within, std::move(*arrangement), std::move(*cells), {}, {}};
+    trial.along = linesAlong(trial.arrangement);
+    trial.facets = facetsOfCells(trial.arrangement, trial.cells, lines_, trial.along);
+    if (trial.facets.wrongAt || !coversPaper(trial)) return std::nullopt;
+    return trial;
+  }
+
+  /// The layers of all cells together are the paper, but for strips as wide as points were moved.
+  bool coversPaper(const Trial& trial) const {
+    double covered = 0;
+    for (std::size_t c = 1; c < trial.cells.corners.size(); ++c)
+      covered += areaOf(trial.arrangement, trial.cells.corners[c]) *
+                 static_cast<double>(trial.facets.of[c].size());
+    return std::abs(covered - paper_) <=
+           2 * (trial.arrangement.farthest + error_) * total_ + kParallel * paper_;
+  }
+
+  const FoldedLines& lines_;
+  double error_;
+  double paper_;
+  double total_ = 0;  ///< length of all lines
+  double coarsest_ = 0;
+  double finest_ = 0;
+  double middle_ = 0;
+};
 
 FoldedGround groundOf(Trial& trial) {
   FoldedGround ground;
@@ -89,6 +117,26 @@ FoldedGround groundOf(Trial& trial) {
   return ground;
 }
 
+Error noMap(const AssignedPattern& creases, const FlatMap& map) {
+  const CreasePattern& pattern = creases.pattern;
+  EdgeId shortest(0);
+  const auto lengthOf = [&](EdgeId e) {
+    return distance(pattern[pattern[e].from], pattern[pattern[e].to]);
+  };
+  for (std::size_t e = 1; e < pattern.edges.size(); ++e) {
+    if (lengthOf(EdgeId(e)) < lengthOf(shortest)) shortest = EdgeId(e);
+  }
+  const Vec2 from = pattern[pattern[shortest].from];
+  const Vec2 to = pattern[pattern[shortest].to];
+  return {ErrorCode::BadValue,
+          "the folded creases lie so that it cannot be told which facets overlap: facets disagree "
+          "by up to " +
+              text(map.error) + " mm, and the shortest line, from " + text(from) + " to " +
+              text(to) + ", is " + text(lengthOf(shortest)) +
+              " mm long; draw the pattern more precisely",
+          {{}, {{from, to}}, {}}};
+}
+
 }  // namespace
 
 Result<GroundAndOrders> overlapsOf(const AssignedPattern& creases, const FlatMap& map,
@@ -96,9 +144,10 @@ Result<GroundAndOrders> overlapsOf(const AssignedPattern& creases, const FlatMap
   const Error cancelled{ErrorCode::Cancelled, "dividing the folded ground was stopped", {}};
   const FoldedLines lines = foldedLinesOf(creases, map);
   bool wasCancelled = false;
-  std::optional<Trial> trial = stableTrial(lines, progress, wasCancelled);
+  const Progress first = [&](double part) { return goesOn(progress, 0.5 * part); };
+  std::optional<Trial> trial = Trials(creases, map, lines).best(first, wasCancelled);
   if (wasCancelled) return cancelled;
-  if (!trial) return Error{ErrorCode::BadValue, "the folded creases give no consistent map", {}};
+  if (!trial) return noMap(creases, map);
   GroundAndOrders made;
   OrderProblem& problem = made.problem;
   problem.facetCount = creases.pattern.facets.size();
