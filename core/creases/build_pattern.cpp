@@ -110,16 +110,16 @@ class PatternBuilder {
     }
   }
 
+  /// By point; numbered as the lines come to them.
   std::vector<VertexId> chooseVertices(double scale) {
-    std::vector<bool> isUsed(map_.points.size(), false);
-    for (std::size_t i = 0; i < map_.lines.size(); ++i) {
-      if (edgeOf_[i].isValid()) isUsed[map_.lines[i].from] = isUsed[map_.lines[i].to] = true;
-    }
     std::vector<VertexId> vertexOf(map_.points.size());
-    for (std::size_t p = 0; p < isUsed.size(); ++p) {
-      if (!isUsed[p]) continue;
-      vertexOf[p] = VertexId(vertices_.size());
-      vertices_.push_back(map_.points[p] * scale);
+    for (std::size_t i = 0; i < map_.lines.size(); ++i) {
+      if (!edgeOf_[i].isValid()) continue;
+      for (const std::uint32_t p : {map_.lines[i].from, map_.lines[i].to}) {
+        if (vertexOf[p].isValid()) continue;
+        vertexOf[p] = VertexId(vertices_.size());
+        vertices_.push_back(map_.points[p] * scale);
+      }
     }
     return vertexOf;
   }

@@ -17,6 +17,9 @@ struct MapLine {
   std::uint32_t to = 0;
   Assignment assignment = Assignment::Unassigned;
   std::optional<double> angle;
+  std::uint32_t drawn = kNotDrawn;  ///< number of the drawn line that it is a piece of
+
+  static constexpr std::uint32_t kNotDrawn = 0xFFFFFFFF;
 };
 
 /// Units of the drawing, paper frame. Points that no line uses are allowed.

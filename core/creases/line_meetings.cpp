@@ -2,172 +2,73 @@
 #include "core/creases/line_meetings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/base/text.h"
+#include "core/creases/line_tree.h"
 #include "core/geometry/orientation.h"
 
 namespace kiri {
 namespace {
 
-/// Lines that few share a box; fewer make boxes dearer than pairs.
-constexpr std::size_t kFewLines = 10;
-/// Beyond this no median divides what is left.
-constexpr int kDeepest = 60;
-/// A pattern of 100,000 creases has fewer crossings, whatever is drawn.
+/// A pattern of 100,000 creases has fewer meetings, whatever is drawn.
 constexpr std::size_t kMostMeetings = 3'000'000;
 /// Pairs that are looked at before a drawing counts as hatching.
-constexpr std::size_t kMostPairs = 600'000'000;
+constexpr std::size_t kMostPairs = 1'000'000'000;
 
-/// A half-open box of the plane.
-struct TreeBox {
-  std::array<double, 2> low{-std::numeric_limits<double>::max(),
-                            -std::numeric_limits<double>::max()};
-  std::array<double, 2> high{std::numeric_limits<double>::max(),
-                             std::numeric_limits<double>::max()};
-
-  bool holds(Vec2 p) const {
-    return p.x >= low[0] && p.x < high[0] && p.y >= low[1] && p.y < high[1];
-  }
-};
-
-double coordinate(Vec2 p, std::size_t axis) { return axis == 0 ? p.x : p.y; }
-
-/// The part of a line inside a box, as parameters; empty when the first is the larger.
-struct ClippedLine {
-  double first = 0;
-  double last = 1;
-  bool isEmpty() const { return first > last; }
-};
-
-ClippedLine clip(Vec2 from, Vec2 to, const TreeBox& box, double margin) {
-  ClippedLine part;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double start = coordinate(from, axis);
-    const double way = coordinate(to, axis) - start;
-    const double low = box.low[axis] - margin;
-    const double high = box.high[axis] + margin;
-    if (way == 0) {
-      if (start < low || start > high) return {1, 0};
-      continue;
-    }
-    const double a = (low - start) / way;
-    const double b = (high - start) / way;
-    part.first = std::max(part.first, std::min(a, b));
-    part.last = std::min(part.last, std::max(a, b));
-  }
-  return part;
+Error hatching(std::optional<Vec2> place = std::nullopt) {
+  Error error{ErrorCode::BadFile, {}, {}};
+  if (place) error.witness.points = {*place};
+  error.message = "the lines lie across each other in millions of places" +
+                  (place ? ", for example near " + text(*place) : std::string()) +
+                  "; that is a hatching and no crease pattern, leave its lines out";
+  return error;
 }
 
-struct TreeNode {
-  TreeBox box;
-  std::vector<std::uint32_t> lines;
+std::vector<std::uint32_t> usedPoints(const LineMap& map) {
+  std::vector<bool> isUsed(map.points.size(), false);
+  for (const MapLine& line : map.lines) isUsed[line.from] = isUsed[line.to] = true;
   std::vector<std::uint32_t> points;
-  int depth = 0;
-};
+  for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
+    if (isUsed[i]) points.push_back(i);
+  }
+  return points;
+}
 
 class MeetingFinder {
  public:
-  MeetingFinder(const LineMap& map, double within, const Progress& progress)
-      : map_(map), within_(within), progress_(progress) {
-    double largest = 0;
-    for (const Vec2 p : map.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    // Wide enough that rounding never puts a crossing into a box without its lines.
-    margin_ = 2 * within + 64 * std::numeric_limits<double>::epsilon() * largest;
-  }
+  MeetingFinder(const LineMap& map, double within) : map_(map), within_(within) {}
 
-  Result<LineMeetings> find() {
-    TreeNode root;
-    for (std::uint32_t i = 0; i < map_.lines.size(); ++i) root.lines.push_back(i);
-    std::vector<bool> isUsed(map_.points.size(), false);
-    for (const MapLine& line : map_.lines) isUsed[line.from] = isUsed[line.to] = true;
-    for (std::uint32_t i = 0; i < map_.points.size(); ++i) {
-      if (isUsed[i]) root.points.push_back(i);
-    }
-    const double all = static_cast<double>(std::max<std::size_t>(root.points.size(), 1));
-    std::vector<TreeNode> open;
-    open.push_back(std::move(root));
-    std::size_t leaves = 0;
-    std::size_t donePoints = 0;
-    while (!open.empty()) {
-      TreeNode node = std::move(open.back());
-      open.pop_back();
-      if (divide(node, open)) continue;
-      lookInto(node);
-      donePoints += node.points.size();
-      if (isTooMuch_) return tooMany();
-      if (++leaves % 1024 == 0 && !goesOn(progress_, static_cast<double>(donePoints) / all))
-        return Error{ErrorCode::Cancelled, "reading the crease pattern was stopped"};
-    }
+  Result<LineMeetings> find(const Progress& progress) {
+    const Status seen = visitLeaves(
+        map_, usedPoints(map_), 2 * within_,
+        [this](const TreeLeaf& leaf) { return lookInto(leaf); }, progress);
+    if (!seen) return seen.error();
+    if (isTooMuch_)
+      return found_.crossings.empty() ? hatching() : hatching(found_.crossings.front().place);
     sortAll();
     return std::move(found_);
   }
 
  private:
-  /// Pushes the halves of a node; false when it is better looked into as it is.
-  bool divide(TreeNode& node, std::vector<TreeNode>& open) {
-    if (node.lines.size() <= kFewLines || node.depth >= kDeepest) return false;
-    std::array<std::vector<double>, 2> middles;
-    for (const std::uint32_t i : node.lines) {
-      const Vec2 from = map_.from(map_.lines[i]);
-      const Vec2 to = map_.to(map_.lines[i]);
-      const ClippedLine part = clip(from, to, node.box, margin_);
-      const Vec2 middle = lerp(from, to, (part.first + part.last) / 2);
-      middles[0].push_back(middle.x);
-      middles[1].push_back(middle.y);
+  /// False when there are too many.
+  bool lookInto(const TreeLeaf& leaf) {
+    for (const std::uint32_t point : leaf.points) {
+      for (const std::uint32_t line : leaf.lines) addTouch(line, point);
     }
-    std::array<double, 2> spread{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const auto [low, high] = std::minmax_element(middles[axis].begin(), middles[axis].end());
-      spread[axis] = *high - *low;
+    // A leaf of very many lines that all cross is given up within it.
+    for (std::size_t i = 0; i < leaf.lines.size() && !isTooMuch_; ++i) {
+      for (std::size_t j = i + 1; j < leaf.lines.size(); ++j)
+        addCrossing(leaf.lines[i], leaf.lines[j], leaf.box);
+      pairs_ += leaf.lines.size() - i + leaf.points.size();
+      isTooMuch_ =
+          pairs_ > kMostPairs || found_.touches.size() + found_.crossings.size() > kMostMeetings;
     }
-    const std::size_t wide = spread[0] >= spread[1] ? 0 : 1;
-    return divideAt(node, wide, middles[wide], open) ||
-           divideAt(node, 1 - wide, middles[1 - wide], open);
-  }
-
-  bool divideAt(TreeNode& node, std::size_t axis, std::vector<double>& middles,
-                std::vector<TreeNode>& open) {
-    const auto median = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
-    std::nth_element(middles.begin(), median, middles.end());
-    const double at = *median;
-    if (!(at > node.box.low[axis]) || !(at < node.box.high[axis])) return false;
-    TreeNode low;
-    TreeNode high;
-    low.box = high.box = node.box;
-    low.box.high[axis] = high.box.low[axis] = at;
-    low.depth = high.depth = node.depth + 1;
-    for (const std::uint32_t i : node.lines) {
-      const Vec2 from = map_.from(map_.lines[i]);
-      const Vec2 to = map_.to(map_.lines[i]);
-      if (!clip(from, to, low.box, margin_).isEmpty()) low.lines.push_back(i);
-      if (!clip(from, to, high.box, margin_).isEmpty()) high.lines.push_back(i);
-    }
-    // Where nearly all lines go to both sides, dividing only copies them.
-    const std::size_t n = node.lines.size();
-    if (low.lines.size() == n || high.lines.size() == n) return false;
-    if (low.lines.size() + high.lines.size() > n + n * 3 / 4) return false;
-    for (const std::uint32_t p : node.points)
-      (coordinate(map_.points[p], axis) < at ? low : high).points.push_back(p);
-    open.push_back(std::move(high));
-    open.push_back(std::move(low));
-    return true;
-  }
-
-  void lookInto(const TreeNode& node) {
-    for (const std::uint32_t point : node.points) {
-      for (const std::uint32_t line : node.lines) addTouch(line, point);
-    }
-    for (std::size_t i = 0; i < node.lines.size(); ++i) {
-      for (std::size_t j = i + 1; j < node.lines.size(); ++j)
-        addCrossing(node.lines[i], node.lines[j], node.box);
-    }
-    pairs_ += node.lines.size() * (node.lines.size() + node.points.size());
-    isTooMuch_ =
-        pairs_ > kMostPairs || found_.touches.size() + found_.crossings.size() > kMostMeetings;
+    return !isTooMuch_;
   }
 
   void addTouch(std::uint32_t index, std::uint32_t point) {
@@ -195,10 +96,10 @@ class MeetingFinder {
     if (std::max(p.y, q.y) < std::min(r.y, s.y) || std::max(r.y, s.y) < std::min(p.y, q.y)) return;
     if (orientation(p, q, r) * orientation(p, q, s) >= 0) return;
     if (orientation(r, s, p) * orientation(r, s, q) >= 0) return;
-    const double t = std::clamp(cross(r - p, s - r) / cross(q - p, s - r), 0.0, 1.0);
-    const Vec2 place = p + (q - p) * t;
-    if (!std::isfinite(place.x) || !std::isfinite(place.y)) return;
-    if (box.holds(place)) found_.crossings.push_back({std::min(i, j), std::max(i, j), place});
+    const double t = cross(r - p, s - r) / cross(q - p, s - r);
+    // Lines that are parallel to the last digits meet somewhere on what they share.
+    const Vec2 place = std::isfinite(t) ? p + (q - p) * std::clamp(t, 0.0, 1.0) : r;
+    if (box.holds(place)) found_.crossings.push_back({i, j, place});
   }
 
   void sortAll() {
@@ -212,28 +113,46 @@ class MeetingFinder {
               });
   }
 
-  Error tooMany() const {
-    const Vec2 place = found_.crossings.empty() ? Vec2{} : found_.crossings.front().place;
-    return Error{ErrorCode::BadFile,
-                 "the lines cross more than " + std::to_string(kMostMeetings) +
-                     " times, for example near " + text(place) +
-                     "; this is a hatching and no crease pattern, draw its creases only",
-                 {{place}, {}, {}}};
-  }
-
   const LineMap& map_;
   double within_;
-  const Progress& progress_;
-  double margin_ = 0;
   LineMeetings found_;
   std::size_t pairs_ = 0;
   bool isTooMuch_ = false;
 };
 
+double distanceToLine(Vec2 p, Vec2 from, Vec2 to) {
+  const Vec2 way = to - from;
+  const double t = std::clamp(dot(p - from, way) / dot(way, way), 0.0, 1.0);
+  return distance(p, from + way * t);
+}
+
 }  // namespace
 
 Result<LineMeetings> meetingsOf(const LineMap& map, double within, const Progress& progress) {
-  return MeetingFinder(map, within, progress).find();
+  return MeetingFinder(map, within).find(progress);
+}
+
+Status visitNearPairs(const LineMap& map, double farthest,
+                      const std::function<void(std::uint32_t, double)>& see,
+                      const Progress& progress) {
+  std::size_t pairs = 0;
+  const auto look = [&](const TreeLeaf& leaf) {
+    pairs += leaf.points.size() * leaf.lines.size();
+    if (pairs > kMostPairs) return false;
+    for (const std::uint32_t point : leaf.points) {
+      for (const std::uint32_t i : leaf.lines) {
+        const MapLine& line = map.lines[i];
+        if (line.from == point || line.to == point) continue;
+        const double d = distanceToLine(map.points[point], map.from(line), map.to(line));
+        if (d <= farthest) see(point, d);
+      }
+    }
+    return true;
+  };
+  const Status seen = visitLeaves(map, usedPoints(map), farthest, look, progress);
+  if (!seen) return seen;
+  if (pairs > kMostPairs) return hatching();
+  return seen;
 }
 
 }  // namespace kiri

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/creases/line_map.h"
@@ -27,9 +31,14 @@ struct LineMeetings {
   std::vector<LineCrossing> crossings;  ///< by the lines
 };
 
-/// All meetings, found in a tree of boxes that is divided at medians until few lines are left in a
-/// box. Sides are exact for the stored doubles. Cost: n log n and what crosses. Errors: BadFile -
-/// more meetings than any pattern has; Cancelled.
+/// All meetings. Sides are exact for the stored doubles. Cost: n log n and what crosses. Errors:
+/// BadFile - more meetings than any pattern has; Cancelled.
 Result<LineMeetings> meetingsOf(const LineMap& map, double within, const Progress& progress = {});
+
+/// Calls `see` for each used point and each line that does not end there but lies at most
+/// `farthest` away from it, in a fixed order. Errors as those of meetingsOf.
+Status visitNearPairs(const LineMap& map, double farthest,
+                      const std::function<void(std::uint32_t point, double distance)>& see,
+                      const Progress& progress = {});
 
 }  // namespace kiri

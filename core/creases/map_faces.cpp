@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/geometry/orientation.h"
@@ -110,28 +112,60 @@ std::vector<std::uint32_t> groupsOf(const LineMap& map) {
   return parent;
 }
 
-/// The half-line nearest on the left of a point among lines of other groups, with that point on its
-/// left side: the face that the point lies in is the face of this half-line.
-class LeftLooker {
+/// Which line lies nearest on the left of some points, for all of them in one sweep from below: the
+/// lines at one level stand in an order, for none cross.
+class LeftSweep {
  public:
-  LeftLooker(const LineMap& map, const std::vector<std::uint32_t>& groups)
-      : map_(map), groups_(groups) {}
+  LeftSweep(const LineMap& map, std::vector<std::uint32_t> points)
+      : map_(map), points_(std::move(points)), open_(Order{this}) {}
 
-  std::optional<std::uint32_t> look(std::uint32_t point) const {
-    const Vec2 p = map_.points[point];
-    std::optional<std::uint32_t> best;
-    for (std::uint32_t i = 0; i < map_.lines.size(); ++i) {
-      if (groups_[map_.lines[i].from] == groups_[point] || !isLeftOf(i, p)) continue;
-      if (!best || isFartherRight(i, *best)) best = i;
+  /// The half-line on whose left side each point lies (beyond which its face is), by point in the
+  /// order given; none where no line lies to the left. A point's own lines, that begin there and
+  /// run right or up, do not count.
+  std::vector<std::optional<std::uint32_t>> run() {
+    std::vector<std::uint32_t> starts(map_.lines.size());
+    std::iota(starts.begin(), starts.end(), 0U);
+    std::vector<std::uint32_t> ends = starts;
+    std::sort(starts.begin(), starts.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return isLess(low(a).y, low(b).y, a, b); });
+    std::sort(ends.begin(), ends.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return isLess(high(a).y, high(b).y, a, b); });
+    std::vector<std::uint32_t> order(points_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return isLess(map_.points[points_[a]].y, map_.points[points_[b]].y, a, b);
+    });
+    std::vector<std::optional<std::uint32_t>> result(points_.size());
+    std::size_t start = 0;
+    std::size_t end = 0;
+    for (const std::uint32_t i : order) {
+      const Vec2 p = map_.points[points_[i]];
+      // Lines are met at levels from their lower end up to below their upper one. Ends first: at
+      // one level the lines that end there and those that begin there have no order.
+      while (end < ends.size() && high(ends[end]).y <= p.y) {
+        const double level = high(ends[end]).y;
+        open(starts, start, level, false);
+        close(ends[end++]);
+      }
+      open(starts, start, p.y, true);
+      result[i] = leftOf(p);
     }
-    if (!best) return std::nullopt;
-    // Upward lines have what lies right of them on their right.
-    const MapLine& line = map_.lines[*best];
-    const bool isUpward = map_.from(line).y < map_.to(line).y;
-    return 2 * *best + (isUpward ? 1U : 0U);
+    return result;
   }
 
  private:
+  struct Order {
+    using is_transparent = void;
+    const LeftSweep* sweep;
+    bool operator()(std::uint32_t a, std::uint32_t b) const { return sweep->isBefore(a, b); }
+    bool operator()(std::uint32_t a, Vec2 p) const { return sweep->isLeftOf(a, p); }
+    bool operator()(Vec2 p, std::uint32_t a) const { return sweep->isRightOf(a, p); }
+  };
+
+  static bool isLess(double a, double b, std::uint32_t i, std::uint32_t j) {
+    return a != b ? a < b : i < j;
+  }
+
   Vec2 low(std::uint32_t i) const {
     const MapLine& line = map_.lines[i];
     return map_.from(line).y < map_.to(line).y ? map_.from(line) : map_.to(line);
@@ -140,27 +174,45 @@ class LeftLooker {
     const MapLine& line = map_.lines[i];
     return map_.from(line).y < map_.to(line).y ? map_.to(line) : map_.from(line);
   }
-  /// Lines meet the level of a point when they reach above it and not only from above.
-  bool isLeftOf(std::uint32_t i, Vec2 p) const {
-    const MapLine& line = map_.lines[i];
-    const double y0 = map_.from(line).y;
-    const double y1 = map_.to(line).y;
-    if ((y0 <= p.y) == (y1 <= p.y)) return false;
-    return orientation(low(i), high(i), p) < 0;
+
+  /// Opens lines that begin below a level, or at it.
+  void open(const std::vector<std::uint32_t>& starts, std::size_t& next, double level,
+            bool isAtLevel) {
+    for (; next < starts.size(); ++next) {
+      const std::uint32_t i = starts[next];
+      if (low(i).y > level || (low(i).y == level && !isAtLevel)) return;
+      if (low(i).y < high(i).y) open_.insert(i);
+    }
   }
+  void close(std::uint32_t i) {
+    if (low(i).y < high(i).y) open_.erase(i);
+  }
+
+  std::optional<std::uint32_t> leftOf(Vec2 p) const {
+    auto it = open_.lower_bound(p);
+    if (it == open_.begin()) return std::nullopt;
+    const std::uint32_t i = *--it;
+    // Upward lines have what lies right of them on their right.
+    const MapLine& line = map_.lines[i];
+    return 2 * i + (map_.from(line).y < map_.to(line).y ? 1U : 0U);
+  }
+
+  bool isLeftOf(std::uint32_t i, Vec2 p) const { return orientation(low(i), high(i), p) < 0; }
+  bool isRightOf(std::uint32_t i, Vec2 p) const { return orientation(low(i), high(i), p) > 0; }
   /// Of two lines that meet one level and do not cross: by the end that stands between the other's.
-  bool isFartherRight(std::uint32_t a, std::uint32_t b) const {
-    const bool startsHigher = low(a).y >= low(b).y;
-    const int atLow =
-        startsHigher ? -orientation(low(b), high(b), low(a)) : orientation(low(a), high(a), low(b));
+  bool isBefore(std::uint32_t a, std::uint32_t b) const {
+    if (a == b) return false;
+    const int atLow = low(a).y >= low(b).y ? orientation(low(b), high(b), low(a))
+                                           : -orientation(low(a), high(a), low(b));
     if (atLow != 0) return atLow > 0;
-    const bool endsLower = high(a).y <= high(b).y;
-    return (endsLower ? -orientation(low(b), high(b), high(a))
-                      : orientation(low(a), high(a), high(b))) > 0;
+    const int atHigh = high(a).y <= high(b).y ? orientation(low(b), high(b), high(a))
+                                              : -orientation(low(a), high(a), high(b));
+    return atHigh != 0 ? atHigh > 0 : a < b;
   }
 
   const LineMap& map_;
-  const std::vector<std::uint32_t>& groups_;
+  std::vector<std::uint32_t> points_;
+  std::set<std::uint32_t, Order> open_;
 };
 
 /// The leftmost point of each group (of equals the lowest), from left to right.
@@ -203,13 +255,12 @@ MapFaces facesOf(const LineMap& map) {
     faceOfLoop[i] = static_cast<std::uint32_t>(faces.loops.size());
     faces.loops.push_back({traced.loops[i]});
   }
-  const LeftLooker looker(map, groups);
-  for (const std::uint32_t p : leftmost) {
-    const std::uint32_t loop = traced.loopOf[halves.lastAround(p)];
-    if (leftmost.size() > 1) {
-      const std::optional<std::uint32_t> seen = looker.look(p);
-      if (seen) faceOfLoop[loop] = faceOfLoop[traced.loopOf[*seen]];
-    }
+  std::vector<std::optional<std::uint32_t>> seen(leftmost.size());
+  if (leftmost.size() > 1) seen = LeftSweep(map, leftmost).run();
+  for (std::size_t i = 0; i < leftmost.size(); ++i) {
+    const std::uint32_t loop = traced.loopOf[halves.lastAround(leftmost[i])];
+    // What lies to the left was given its face before: groups come from left to right.
+    if (seen[i]) faceOfLoop[loop] = faceOfLoop[traced.loopOf[*seen[i]]];
     faces.loops[faceOfLoop[loop]].push_back(traced.loops[loop]);
   }
   faces.faceOf.reserve(traced.loopOf.size());

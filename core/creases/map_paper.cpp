@@ -75,7 +75,7 @@ bool maySeparatePaper(Assignment assignment) {
 
 }  // namespace
 
-std::vector<bool> paperWithin(const LineMap& map, const MapFaces& faces) {
+std::vector<bool> paperWithin(const LineMap& map, const MapFaces& faces, Assignment rim) {
   std::vector<std::vector<std::uint32_t>> ways(faces.count());
   for (std::uint32_t i = 0; i < map.lines.size(); ++i) {
     if (faces.left(i) == faces.right(i)) continue;
@@ -92,7 +92,7 @@ std::vector<bool> paperWithin(const LineMap& map, const MapFaces& faces) {
     if (isDone[face]) continue;
     isDone[face] = true;
     for (const std::uint32_t half : ways[face]) {
-      const bool isBorder = map.lines[half / 2].assignment == Assignment::Border;
+      const bool isBorder = map.lines[half / 2].assignment == rim;
       const std::uint32_t other = faces.faceOf[half];
       const std::uint32_t reached = level[face] + (isBorder ? 1 : 0);
       if (reached >= level[other]) continue;

@@ -9,10 +9,10 @@
 
 namespace kiri {
 
-/// By face: paper is what an odd number of borders separates from the outside at least. A region
-/// inside a border inside paper is a hole; two regions side by side with a border between them are
-/// both paper.
-std::vector<bool> paperWithin(const LineMap& map, const MapFaces& faces);
+/// Paper within lines of one assignment, by face: what an odd number of them separates from the
+/// outside at least. A region inside a border inside paper is a hole; two regions side by side with
+/// a border between them are both paper.
+std::vector<bool> paperWithin(const LineMap& map, const MapFaces& faces, Assignment rim);
 
 /// Paper where the drawing's own faces are. `misfits` names the faces (by position in the drawing)
 /// that do not lie in one face of the map each, or would make a crease end the paper: where there

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "core/creases/near_points.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kiri {
 namespace {
 
 constexpr std::uint32_t kNoPoint = 0xFFFFFFFF;
+
+/// The square of a coordinate; what is beyond all numbers is in the last one.
+std::int64_t squareNumber(double squares) {
+  constexpr double kLast = 4e18;
+  return std::isnan(squares)
+             ? 0
+             : static_cast<std::int64_t>(std::clamp(std::floor(squares), -kLast, kLast));
+}
 
 }  // namespace
 
@@ -19,8 +28,7 @@ std::size_t NearPoints::Hash::operator()(const Square& s) const {
 }
 
 NearPoints::Square NearPoints::squareOf(Vec2 p) const {
-  return {static_cast<std::int64_t>(std::floor((p.x - origin_.x) / within_)),
-          static_cast<std::int64_t>(std::floor((p.y - origin_.y) / within_))};
+  return {squareNumber((p.x - origin_.x) / within_), squareNumber((p.y - origin_.y) / within_)};
 }
 
 std::optional<std::uint32_t> NearPoints::nearest(Vec2 p) const {

@@ -15,7 +15,7 @@ namespace kiri {
 /// time as long as few points share a square.
 class NearPoints {
  public:
-  /// `within` > 0; coordinates count from `origin`, so that squares are fine far away from zero.
+  /// `within` > 0. Coordinates count from `origin`, so that squares are fine far away from zero.
   NearPoints(Vec2 origin, double within) : origin_(origin), within_(within) {}
 
   /// The added point nearest to `p` at a distance of at most `within`; the first of equals.

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/creases/build_pattern.h"
 #include "core/creases/map_faces.h"
 #include "core/creases/map_paper.h"
+#include "core/creases/merge_distance.h"
 #include "core/creases/outline.h"
+#include "core/creases/overlaps.h"
 #include "core/creases/repair_log.h"
 #include "core/creases/split_lines.h"
 #include "core/creases/weld.h"
@@ -21,11 +25,13 @@ namespace {
 struct PaperMap {
   MapFaces faces;
   std::vector<bool> isPaper;
+  std::vector<std::uint32_t> misfits;  ///< faces of the drawing that are not followed
 
   bool hasPaper() const { return std::find(isPaper.begin(), isPaper.end(), true) != isPaper.end(); }
 };
 
-RepairScale scaleOf(const std::vector<DrawnCrease>& lines, const RepairOptions& options) {
+Result<RepairScale> scaleOf(const std::vector<DrawnCrease>& lines, const RepairOptions& options,
+                            const Progress& progress) {
   Vec2 low = lines.front().from;
   Vec2 high = low;
   for (const DrawnCrease& line : lines) {
@@ -36,83 +42,148 @@ RepairScale scaleOf(const std::vector<DrawnCrease>& lines, const RepairOptions& 
   }
   RepairScale scale;
   scale.size = distance(low, high);
-  scale.same = Tolerance(scale.size).length();
-  scale.within = options.merge > 0 ? options.merge : scale.same;
+  // Far away from zero doubles are coarser than the kernel's tolerance.
+  const double farAway = std::max(length(low), length(high));
+  scale.same = std::max(Tolerance(scale.size).length(),
+                        8 * std::numeric_limits<double>::epsilon() * farAway);
+  scale.within = std::max(scale.same, options.merge);
+  if (options.merge > 0) return scale;
+  const Result<double> found = mergeDistanceOf(lines, scale, progress);
+  if (!found) return found.error();
+  scale.within = *found;
   return scale;
 }
 
-/// Where the paper is, as the drawing's faces say, or its borders; where neither says anything, all
-/// that lines enclose, if they show their own outline.
-PaperMap paperMapOf(const LineMap& map, const CreaseDrawing& drawing, const RepairScale& scale) {
-  PaperMap paper;
-  paper.faces = facesOf(map);
-  if (!drawing.faces.empty()) {
-    PaperOfFaces drawn = paperOfFaces(map, paper.faces, drawing.faces, scale.within);
-    paper.isPaper = std::move(drawn.isPaper);
-    if (drawn.misfits.empty()) return paper;
-  }
-  paper.isPaper = paperWithin(map, paper.faces);
-  if (paper.hasPaper() || !showOutline(paper.faces, map.lines.size())) return paper;
-  paper.isPaper.assign(paper.faces.count(), true);
-  paper.isPaper[0] = false;
-  return paper;
-}
+/// One drawing on its way to a pattern.
+class DrawingRepair {
+ public:
+  DrawingRepair(const CreaseDrawing& drawing, const RepairScale& scale, RepairLog& log,
+                const Progress& progress)
+      : drawing_(drawing), scale_(scale), log_(log), progress_(progress) {}
 
-/// The map divided along its lines, with paper; an outline is added where there is none.
-Result<PaperMap> settle(LineMap& map, const CreaseDrawing& drawing, const RepairScale& scale,
-                        RepairLog& log, const Progress& progress) {
-  if (const Status split = splitLines(map, scale, log, progress); !split) return split.error();
-  PaperMap paper = paperMapOf(map, drawing, scale);
-  if (paper.hasPaper()) return paper;
-  const std::vector<MapLine> hull = hullOf(map);
-  for (const MapLine& side : hull) {
-    log.add(RepairKind::AddedBorder, lerp(map.from(side), map.to(side), 0.5));
-    map.lines.push_back(side);
-  }
-  dropOverlaps(map, log);
-  if (const Status split = splitLines(map, scale, log, progress); !split) return split.error();
-  return paperMapOf(map, drawing, scale);
-}
-
-/// Creases with one face on both sides do not divide it. Returns whether there were any.
-bool dropDangling(LineMap& map, const PaperMap& paper, RepairLog& log) {
-  std::vector<MapLine> kept;
-  for (std::size_t i = 0; i < map.lines.size(); ++i) {
-    const MapLine& line = map.lines[i];
-    const bool isSlit = line.assignment == Assignment::Border || line.assignment == Assignment::Cut;
-    const std::uint32_t face = paper.faces.left(i);
-    if (isSlit || face != paper.faces.right(i) || !paper.isPaper[face]) {
-      kept.push_back(line);
-    } else {
-      log.add(RepairKind::DroppedDangling, lerp(map.from(line), map.to(line), 0.5));
+  /// Lines that meet at their ends only, faces on both sides of each, paper on one at least.
+  Status run(const std::vector<DrawnCrease>& lines) {
+    map_ = weld(lines, scale_, log_);
+    dropOverlaps(map_, log_);
+    if (const Status split = splitLines(map_, scale_, log_, progress_); !split) return split;
+    findPaper();
+    if (!paper_.hasPaper()) {
+      if (const Status outlined = addOutline(); !outlined) return outlined;
     }
+    if (const Status dropped = dropUseless(); !dropped) return dropped;
+    for (const std::uint32_t face : paper_.misfits) tellMisfit(face);
+    return std::monostate{};
   }
-  const bool isAny = kept.size() < map.lines.size();
-  map.lines = std::move(kept);
-  return isAny;
-}
+
+  const LineMap& map() const { return map_; }
+  const PaperMap& paper() const { return paper_; }
+
+ private:
+  /// Paper is where the drawing's faces are, else what borders enclose, else cuts, else all that
+  /// lines enclose if they show their own outline.
+  void findPaper() {
+    paper_ = {};
+    paper_.faces = facesOf(map_);
+    if (!drawing_.faces.empty()) {
+      PaperOfFaces drawn = paperOfFaces(map_, paper_.faces, drawing_.faces, scale_.within);
+      paper_.isPaper = std::move(drawn.isPaper);
+      paper_.misfits = std::move(drawn.misfits);
+      if (paper_.misfits.empty()) return;
+    }
+    for (const Assignment rim : {Assignment::Border, Assignment::Cut}) {
+      paper_.isPaper = paperWithin(map_, paper_.faces, rim);
+      if (paper_.hasPaper()) return;
+    }
+    if (!showOutline(paper_.faces, map_.lines.size())) return;
+    paper_.isPaper.assign(paper_.faces.count(), true);
+    paper_.isPaper[0] = false;
+  }
+
+  Status addOutline() {
+    for (const MapLine& side : hullOf(map_)) {
+      log_.add(RepairKind::AddedBorder, lerp(map_.from(side), map_.to(side), 0.5));
+      map_.lines.push_back(side);
+    }
+    // What lies on the hull becomes part of it: that is told above.
+    RepairLog ignored;
+    dropOverlaps(map_, ignored);
+    if (const Status split = splitLines(map_, scale_, ignored, progress_); !split) return split;
+    findPaper();
+    if (paper_.hasPaper()) return std::monostate{};
+    return Error{ErrorCode::BadFile,
+                 "the " + std::to_string(map_.lines.size()) +
+                     " lines of the crease pattern enclose no paper; draw a closed border"};
+  }
+
+  /// Leaves out creases with one face on both sides, which divide nothing, and lines without paper.
+  Status dropUseless() {
+    std::vector<bool> parted(map_.points.size(), false);
+    std::vector<MapLine> kept;
+    for (std::size_t i = 0; i < map_.lines.size(); ++i) {
+      const MapLine& line = map_.lines[i];
+      const std::uint32_t left = paper_.faces.left(i);
+      const std::uint32_t right = paper_.faces.right(i);
+      const bool isSlit =
+          line.assignment == Assignment::Border || line.assignment == Assignment::Cut;
+      const bool hasPaper = paper_.isPaper[left] || paper_.isPaper[right];
+      if (hasPaper && (left != right || isSlit)) {
+        kept.push_back(line);
+        continue;
+      }
+      parted[line.from] = parted[line.to] = true;
+      log_.add(hasPaper ? RepairKind::DroppedDangling : RepairKind::DroppedOutside,
+               lerp(map_.from(line), map_.to(line), 0.5));
+    }
+    if (kept.size() == map_.lines.size()) return std::monostate{};
+    map_.lines = std::move(kept);
+    if (joinPieces(map_, parted, log_)) {
+      // A line that was bent a hair at what is gone now is straight again.
+      RepairLog ignored;
+      if (const Status split = splitLines(map_, scale_, ignored, progress_); !split) return split;
+    }
+    findPaper();
+    return std::monostate{};
+  }
+
+  void tellMisfit(std::uint32_t face) {
+    Vec2 sum;
+    double count = 0;
+    for (const Vec2 corner : drawing_.faces[face]) {
+      if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) continue;
+      sum = sum + corner;
+      ++count;
+    }
+    log_.add(RepairKind::IgnoredFaces, count > 0 ? sum / count : Vec2{});
+  }
+
+  const CreaseDrawing& drawing_;
+  const RepairScale& scale_;
+  RepairLog& log_;
+  const Progress& progress_;
+  LineMap map_;
+  PaperMap paper_;
+};
 
 }  // namespace
 
 Result<RepairedPattern> patternOf(const CreaseDrawing& drawing, const RepairOptions& options,
                                   const Progress& progress) {
+  if (!(options.scale > 0) || !std::isfinite(options.scale))
+    return Error{ErrorCode::BadValue, "the size of a unit, " + text(options.scale) +
+                                          " mm, is not a positive number; give one"};
   RepairLog log;
   const std::vector<DrawnCrease> lines = soundLines(drawing, log);
   if (lines.empty())
     return Error{ErrorCode::BadFile, "the crease pattern has no lines; draw a border and creases"};
-  const RepairScale scale = scaleOf(lines, options);
-  LineMap map = weld(lines, scale, log);
-  dropOverlaps(map, log);
-  Result<PaperMap> settled = settle(map, drawing, scale, log, progress);
-  if (!settled) return settled.error();
-  PaperMap& paper = *settled;
-  if (dropDangling(map, paper, log)) paper = paperMapOf(map, drawing, scale);
-  if (!paper.hasPaper())
-    return Error{ErrorCode::BadFile,
-                 "the lines of the crease pattern enclose no paper; draw a closed border"};
-  RepairedPattern result{buildPattern(map, paper.faces, paper.isPaper, options.scale, log), {}, 0};
+  const Result<RepairScale> scale = scaleOf(lines, options, progress);
+  if (!scale) return scale.error();
+  DrawingRepair repair(drawing, *scale, log, progress);
+  if (const Status done = repair.run(lines); !done) return done.error();
+  const PaperMap& paper = repair.paper();
+  RepairedPattern result{
+      buildPattern(repair.map(), paper.faces, paper.isPaper, options.scale, log), {}, 0};
   result.repairs = log.repairs();
-  result.mergedWithin = scale.within;
+  result.mergedWithin = scale->within;
   return result;
 }
 

@@ -52,10 +52,10 @@ struct RepairedPattern {
 
 /// The planar map that a drawing means. Paper is where the drawing's faces are; where it has none,
 /// what border lines enclose (a region inside a border inside paper is a hole). A clean drawing
-/// comes out with its coordinates bit by bit (but for scale 1 times themselves). Vertices keep the
-/// order of their first appearance, edges that of the lines. Cost: n log n for n lines that cross
-/// little. Errors: BadFile - no lines, nothing encloses paper (with what was found), too many
-/// crossings to be a pattern; Cancelled.
+/// comes out with its coordinates bit by bit (but for scale 1 times themselves). Vertices stand in
+/// the order in which the edges come to them, edges in that of the lines. Cost: n log n for n lines
+/// that cross little. Errors: BadFile - no lines, nothing encloses paper (with what was found), too
+/// many crossings to be a pattern; Cancelled.
 Result<RepairedPattern> patternOf(const CreaseDrawing& drawing, const RepairOptions& options = {},
                                   const Progress& progress = {});
 

@@ -9,6 +9,8 @@
 #include "core/base/text.h"
 #include "core/creases/line_meetings.h"
 #include "core/creases/near_points.h"
+#include "core/creases/overlaps.h"
+#include "core/creases/weld.h"
 #include "core/geometry/tolerance.h"
 
 namespace kiri {
@@ -162,25 +164,6 @@ void divideAtCrossings(LineMap& map, const std::vector<LineCrossing>& crossings,
   divideLines(map, std::move(divisions));
 }
 
-int rankOf(Assignment assignment) {
-  switch (assignment) {
-    case Assignment::Border:
-      return 0;
-    case Assignment::Cut:
-      return 1;
-    case Assignment::Mountain:
-    case Assignment::Valley:
-      return 2;
-    case Assignment::Unassigned:
-      return 3;
-    case Assignment::Flat:
-      return 4;
-    case Assignment::Join:
-      return 5;
-  }
-  return 6;
-}
-
 }  // namespace
 
 Status splitLines(LineMap& map, const RepairScale& scale, RepairLog& log,
@@ -194,7 +177,7 @@ Status splitLines(LineMap& map, const RepairScale& scale, RepairLog& log,
       divideAtTouches(map, found->touches, {scale.size, scale.same, within}, log);
     } else if (!found->crossings.empty()) {
       divideAtCrossings(map, found->crossings, {scale.size, scale.same, within}, log);
-    } else {
+    } else if (!mergeSamePoints(map, scale.same)) {
       return std::monostate{};
     }
     dropOverlaps(map, log);
@@ -206,45 +189,6 @@ Status splitLines(LineMap& map, const RepairScale& scale, RepairLog& log,
                "lines near " + text(place) +
                    " lie so close together that they cannot be told apart; draw that place again",
                {{place}, {}, {}}};
-}
-
-void dropOverlaps(LineMap& map, RepairLog& log) {
-  struct Keyed {
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    std::uint32_t line = 0;
-    auto operator<=>(const Keyed&) const = default;
-  };
-  std::vector<Keyed> keyed;
-  keyed.reserve(map.lines.size());
-  for (std::uint32_t i = 0; i < map.lines.size(); ++i) {
-    const MapLine& line = map.lines[i];
-    keyed.push_back({std::min(line.from, line.to), std::max(line.from, line.to), i});
-  }
-  std::sort(keyed.begin(), keyed.end());
-  std::vector<bool> isDropped(map.lines.size(), false);
-  for (std::size_t first = 0; first < keyed.size();) {
-    const std::uint32_t kept = keyed[first].line;
-    MapLine best = map.lines[kept];
-    std::size_t i = first + 1;
-    for (;
-         i < keyed.size() && keyed[i].low == keyed[first].low && keyed[i].high == keyed[first].high;
-         ++i) {
-      const MapLine& other = map.lines[keyed[i].line];
-      const Vec2 middle = lerp(map.from(other), map.to(other), 0.5);
-      const bool isConflict = other.assignment != best.assignment;
-      log.add(isConflict ? RepairKind::Conflicts : RepairKind::DroppedDuplicates, middle);
-      if (rankOf(other.assignment) < rankOf(best.assignment)) best = other;
-      isDropped[keyed[i].line] = true;
-    }
-    map.lines[kept] = best;
-    first = i;
-  }
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < map.lines.size(); ++i) {
-    if (!isDropped[i]) map.lines[used++] = map.lines[i];
-  }
-  map.lines.resize(used);
 }
 
 }  // namespace kiri

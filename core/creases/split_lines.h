@@ -16,8 +16,4 @@ namespace kiri {
 Status splitLines(LineMap& map, const RepairScale& scale, RepairLog& log,
                   const Progress& progress = {});
 
-/// Of lines between the same two vertices one is kept: border before cut, mountain and valley,
-/// unassigned, flat, join; of equals the first. It stands where the first of them stood.
-void dropOverlaps(LineMap& map, RepairLog& log);
-
 }  // namespace kiri

@@ -2,13 +2,18 @@
 #include "core/creases/weld.h"
 
 #include <cmath>
+#include <limits>
 
 #include "core/creases/near_points.h"
 
 namespace kiri {
 namespace {
 
-bool isFinite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+/// Squares and products of larger or smaller numbers leave the range of doubles.
+constexpr double kLargest = std::numeric_limits<float>::max();
+constexpr double kSmallest = std::numeric_limits<float>::min();
+
+bool isSound(Vec2 p) { return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest; }
 
 /// The middle of the ends that joined a vertex; the place itself where they are all there.
 class MeanPlace {
@@ -34,11 +39,11 @@ std::vector<DrawnCrease> soundLines(const CreaseDrawing& drawing, RepairLog& log
   std::vector<DrawnCrease> lines;
   lines.reserve(drawing.lines.size());
   for (const DrawnCrease& line : drawing.lines) {
-    const bool isSound = isFinite(line.from) && isFinite(line.to) && line.from != line.to;
-    if (isSound) {
+    const bool areSound = isSound(line.from) && isSound(line.to);
+    if (areSound && distance(line.from, line.to) > kSmallest) {
       lines.push_back(line);
     } else {
-      log.add(RepairKind::DroppedPoints, isFinite(line.from) ? line.from : Vec2{});
+      log.add(RepairKind::DroppedPoints, isSound(line.from) ? line.from : Vec2{});
     }
   }
   return lines;
@@ -67,7 +72,8 @@ LineMap weld(const std::vector<DrawnCrease>& lines, const RepairScale& scale, Re
   }
   map.lines.reserve(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const MapLine line{vertexOf[2 * i], vertexOf[2 * i + 1], lines[i].assignment, lines[i].angle};
+    const MapLine line{vertexOf[2 * i], vertexOf[2 * i + 1], lines[i].assignment, lines[i].angle,
+                       static_cast<std::uint32_t>(i)};
     if (line.from == line.to) {
       log.add(RepairKind::DroppedPoints, lines[i].from);
     } else {
@@ -75,6 +81,28 @@ LineMap weld(const std::vector<DrawnCrease>& lines, const RepairScale& scale, Re
     }
   }
   return map;
+}
+
+bool mergeSamePoints(LineMap& map, double same) {
+  NearPoints kept(map.points.empty() ? Vec2{} : map.points.front(), same);
+  std::vector<std::uint32_t> keptAs;
+  keptAs.reserve(map.points.size());
+  bool isAny = false;
+  for (const Vec2 p : map.points) {
+    const std::optional<std::uint32_t> known = kept.nearest(p);
+    keptAs.push_back(known ? *known : kept.add(p));
+    isAny = isAny || known;
+  }
+  if (!isAny) return false;
+  std::vector<MapLine> lines;
+  for (MapLine line : map.lines) {
+    line.from = keptAs[line.from];
+    line.to = keptAs[line.to];
+    if (line.from != line.to) lines.push_back(line);
+  }
+  map.points = kept.points();
+  map.lines = std::move(lines);
+  return true;
 }
 
 }  // namespace kiri

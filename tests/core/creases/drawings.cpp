@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/core/creases/drawings.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -48,7 +50,60 @@ Groups groupsIn(const CreasePattern& pattern) {
   return {roots.size(), used.size()};
 }
 
+char letterOf(Assignment assignment) {
+  return std::string("BMVFUCJ").at(static_cast<std::size_t>(assignment));
+}
+
+Vec2 placeOf(const std::string& word) {
+  const std::size_t comma = word.find(',');
+  return {std::stod(word.substr(0, comma)), std::stod(word.substr(comma + 1))};
+}
+
 }  // namespace
+
+CreaseDrawing drawn(const std::string& text) {
+  CreaseDrawing drawing;
+  std::stringstream statements(text);
+  for (std::string statement; std::getline(statements, statement, ';');) {
+    std::stringstream words(statement);
+    std::string kind;
+    if (!(words >> kind)) continue;
+    std::vector<Vec2> places;
+    std::optional<double> angle;
+    for (std::string word; words >> word;) {
+      if (word.find(',') == std::string::npos) {
+        angle = std::stod(word);
+      } else {
+        places.push_back(placeOf(word));
+      }
+    }
+    if (kind == "face") {
+      drawing.faces.push_back(places);
+      continue;
+    }
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+      drawing.lines.push_back({places[i], places[i + 1], assignmentOf(kind), angle});
+  }
+  return drawing;
+}
+
+std::vector<std::string> linesOf(const AssignedPattern& creases, double step) {
+  std::vector<std::string> lines;
+  const auto number = [&](double x) { return std::to_string(std::lround(x / step)); };
+  for (std::size_t e = 0; e < creases.pattern.edges.size(); ++e) {
+    const Edge& edge = creases.pattern.edges[e];
+    std::string from, to;
+    for (std::string* end : {&from, &to}) {
+      const Vec2 p = creases.pattern[end == &from ? edge.from : edge.to];
+      *end = number(p.x) + "," + number(p.y);
+    }
+    if (to < from) std::swap(from, to);
+    lines.push_back(from + " " + to + " " + letterOf(creases.assignments[e]) + " " +
+                    std::to_string(std::lround(edge.angle)));
+  }
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
 
 std::vector<KnownPattern> knownPatterns() {
   std::vector<KnownPattern> result;

@@ -11,6 +11,10 @@
 
 namespace kiri::test {
 
+/// A drawing in a few words: statements of a letter (B M V F U C J), an angle perhaps, and places
+/// "x,y" joined by lines, parted by ';'. "face" and places: a face.
+CreaseDrawing drawn(const std::string& text);
+
 /// A line of conformance.csv: what other programs found in a file.
 struct KnownPattern {
   std::string file;  ///< below the folder of patterns
@@ -27,6 +31,10 @@ std::vector<KnownPattern> knownPatterns();
 /// The lines of a FOLD file as they stand in it (first frame), with its faces when `withFaces`.
 /// Nothing for files of other formats and for folded forms.
 std::optional<CreaseDrawing> foldDrawing(const std::string& file, bool withFaces);
+
+/// A pattern as sorted lines "x,y x,y letter angle" with the places rounded to `step`, each line
+/// from its lower end: equal for equal maps, whatever the order and direction of lines.
+std::vector<std::string> linesOf(const AssignedPattern& creases, double step);
 
 /// What is wrong with a pattern as a planar map, found in linear time: borders that do not close,
 /// uses that do not agree with their edges, hinges with one facet, facets without area, vertices
