@@ -9,6 +9,7 @@
 
 #include "core/paper/contours.h"
 #include "io/json_tree.h"
+#include "io/svg_looks.h"
 
 namespace kiri {
 
@@ -18,25 +19,6 @@ namespace {
 std::string mm(double value) {
   constexpr double kParts = 1e6;
   return numberText(std::round(value * kParts) / kParts);
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (byte >= ' ' || c == '\n' || c == '\t') {
-      out += c;
-    }
-  }
-  return out;
 }
 
 class SvgPattern {
@@ -63,7 +45,7 @@ class SvgPattern {
         mm(width) + "mm\" height=\"" + mm(height) + "mm\" viewBox=\"0 0 " + mm(width) + " " +
         mm(height) + "\" fill=\"none\" stroke-width=\"" + mm(options_.strokeWidth) +
         "\" stroke-linecap=\"round\">\n";
-    if (!options_.title.empty()) out_ += "  <title>" + escaped(options_.title) + "</title>\n";
+    if (!options_.title.empty()) out_ += "  <title>" + xmlText(options_.title) + "</title>\n";
     writeCuts();
     writeScores();
     return out_ + "</svg>\n";
@@ -81,51 +63,43 @@ class SvgPattern {
     return " C" + at(arc.control1) + " " + at(arc.control2) + " " + at(arc.end);
   }
 
-  void path(const std::string& d, const char* assignment, double angle,
-            const std::string& more = "") {
-    out_ += "    <path d=\"" + d + "\" data-assignment=\"" + assignment + "\" data-foldAngle=\"" +
-            numberText(angle) + "\"" + more + "/>\n";
+  void path(const std::string& d, char assignment, double angle, const std::string& more = "") {
+    out_ += "    <path d=\"" + d + "\" data-assignment=\"" + std::string(1, assignment) +
+            "\" data-foldAngle=\"" + numberText(angle) + "\"" + more + "/>\n";
   }
 
-  void open(const char* id, const char* label, const char* colour, const char* dashes) {
-    out_ += std::string("  <g id=\"") + id + "\" data-name=\"" + label + "\" stroke=\"" + colour +
-            "\"" + (*dashes == '\0' ? "" : std::string(" stroke-dasharray=\"") + dashes + "\"") +
-            ">\n";
-  }
+  void open(char letter) { out_ += svgGroupTag(svgLineLook(letter), options_.strokeWidth); }
 
   void close() { out_ += "  </g>\n"; }
 
   void writeCuts() {
-    open("Cut", "border of the paper", "#000000", "");
+    open('B');
     for (const std::vector<EdgeUse>& chain : contoursOf(pattern_)) {
       std::string d = "M" + at(arcOf(pattern_, chain.front()).start);
       for (const EdgeUse use : chain) d += onward(arcOf(pattern_, use));
-      path(d + " Z", "B", 0);
+      path(d + " Z", 'B', 0);
     }
     close();
-    open("Cut-open", "tears, and cuts with paper on both sides", "#00ff00", "");
+    open('C');
     for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
       const EdgeKind kind = pattern_.edges[e].kind;
       if (kind != EdgeKind::Tear && kind != EdgeKind::Cut) continue;
       const Arc arc = arcOf(pattern_, EdgeId(e));
-      path("M" + at(arc.start) + onward(arc), "C", 0);
+      path("M" + at(arc.start) + onward(arc), 'C', 0);
     }
     close();
   }
 
   void writeScores() {
-    writeHinges("Score-mountain", "mountain folds", "#ff0000", "4 1 0.5 1", "M");
-    writeHinges("Score-valley", "valley folds", "#0000ff", "2.5 1.5", "V");
-    writeHinges("Score-flat", "creases that lie flat", "#808080", "0.5 1", "F");
+    for (const char letter : {'M', 'V', 'F'}) writeHinges(letter);
   }
 
-  void writeHinges(const char* id, const char* label, const char* colour, const char* dashes,
-                   const std::string& letter) {
-    open(id, label, colour, dashes);
+  void writeHinges(char letter) {
+    open(letter);
     for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
       const Edge& edge = pattern_.edges[e];
       if (edge.kind != EdgeKind::Hinge) continue;
-      const std::string own = edge.angle > 0 ? "V" : edge.angle < 0 ? "M" : "F";
+      const char own = edge.angle > 0 ? 'V' : edge.angle < 0 ? 'M' : 'F';
       if (own != letter) continue;
       constexpr double kHalfTurn = 180;
       const double part = std::fabs(edge.angle) / kHalfTurn;
@@ -133,10 +107,10 @@ class SvgPattern {
       std::string more;
       if (part > 0 && part < 1) more += " stroke-opacity=\"" + mm(part) + "\"";
       if (edge.line.isValid()) {
-        more += " data-fold=\"" + escaped(state_.lines[edge.line.index].name) + "\"";
+        more += " data-fold=\"" + xmlText(state_.lines[edge.line.index].name) + "\"";
       }
       const Arc arc = arcOf(pattern_, EdgeId(e));
-      path("M" + at(arc.start) + onward(arc), letter.c_str(), edge.angle, more);
+      path("M" + at(arc.start) + onward(arc), letter, edge.angle, more);
     }
     close();
   }

@@ -8,6 +8,7 @@
 
 #include "io/patterns/cp_format.h"
 #include "io/patterns/fold_reader.h"
+#include "io/patterns/svg_reader.h"
 #include "io/patterns/text_lines.h"
 
 namespace kiri {
@@ -50,8 +51,9 @@ Result<PatternFile> readAs(PatternFormat format, std::string_view text, std::str
       return readFoldPattern(text, fileName);
     case PatternFormat::Cp:
       return readCpPattern(text, fileName);
-    case PatternFormat::Opx:
     case PatternFormat::Svg:
+      return readSvgPattern(text, fileName);
+    case PatternFormat::Opx:
     case PatternFormat::Dxf:
       break;
   }
