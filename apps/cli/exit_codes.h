@@ -10,6 +10,8 @@ enum ExitCode : int {
   kBadUsage = 2,     ///< the command line asks for something that there is not
   kCannotWrite = 3,  ///< the result could not be written
   kCancelled = 4,    ///< stopped by Ctrl-C
+  kVerdictNo = 5,    ///< with --exit-code: the pattern does not fold flat
+  kLimitMet = 6,     ///< a limit of time or memory ended the search
   kDefect = 70,      ///< a defect of the program
 };
 

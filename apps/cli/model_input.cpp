@@ -7,25 +7,26 @@
 
 #include "core/base/text.h"
 #include "core/model/timeline.h"
-#include "io/file.h"
 #include "io/kiri_reader.h"
 #include "io/steps_json.h"
 
 namespace kiri::cli {
 
-Result<ModelInput> loadModel(Console& console, const std::string& path) {
-  const bool isStream = path == "-";
+Result<ModelInput> modelFrom(Console& console, const InputText& text) {
   ModelInput input;
-  input.name = isStream ? "standard input" : path;
-  const std::size_t slash = path.rfind('/');
-  input.folder = isStream || slash == std::string::npos ? "" : path.substr(0, slash + 1);
-  const Result<std::string> text = isStream ? readStream(console.in, input.name) : readFile(path);
-  if (!text.isOk()) return text.error();
-  Result<LoadedModel> loaded = readKiri(*text, input.name);
+  input.name = text.name;
+  input.folder = text.folder;
+  Result<LoadedModel> loaded = readKiri(text.text, input.name);
   if (!loaded.isOk()) return loaded.error();
   for (const std::string& warning : loaded->warnings) warn(console, warning);
   input.model = std::move(loaded->model);
   return input;
+}
+
+Result<ModelInput> loadModel(Console& console, const std::string& path) {
+  const Result<InputText> text = readInput(console, path);
+  if (!text.isOk()) return text.error();
+  return modelFrom(console, *text);
 }
 
 namespace {

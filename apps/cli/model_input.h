@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/cli/console.h"
+#include "apps/cli/input_text.h"
 #include "core/model/model.h"
 #include "core/model/replay.h"
 #include "core/paper/folded_state.h"
@@ -21,6 +22,8 @@ struct ModelInput {
 
 /// Reads MODEL ("-": standard input) and prints what looks odd in it.
 Result<ModelInput> loadModel(Console& console, const std::string& path);
+/// The same of a .kiri text that was read already.
+Result<ModelInput> modelFrom(Console& console, const InputText& text);
 
 /// A moment of the model's life: so many steps are done, and a part of the next.
 struct StepChoice {

@@ -23,6 +23,8 @@ constexpr const char* kFooter =
     "  2   the command line is wrong\n"
     "  3   the result could not be written\n"
     "  4   stopped by Ctrl-C; nothing was written\n"
+    "  5   with --exit-code: the pattern does not fold flat\n"
+    "  6   a limit of time or memory ended the search\n"
     "  70  a defect of the program\n\n"
     "Examples:\n"
     "  kiri render leaf.kiri -o leaf.png\n"
@@ -30,6 +32,8 @@ constexpr const char* kFooter =
     "  kiri animate leaf.kiri -o leaf.mp4\n"
     "  kiri info leaf.kiri --json\n"
     "  kiri export leaf.kiri -o leaf.fold\n"
+    "  kiri check crane.cp\n"
+    "  kiri states crane.fold --count\n"
     "kiri COMMAND --help says more about each.";
 
 /// The subcommand that the arguments name; the program itself when they name none.
@@ -113,6 +117,8 @@ int parseAndRun(const std::vector<std::string>& arguments, Console& console) {
   addResolveCommand(app, console, code);
   addLeafCommand(app, console, code);
   addMeasureCommand(app, console, code);
+  addCheckCommand(app, console, code);
+  addStatesCommand(app, console, code);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);
