@@ -11,13 +11,12 @@
 
 namespace kiri {
 
-/// The creases of a state as a pattern: its angles are the targets.
-AssignedPattern targetsOf(const FoldedState& folded, const std::vector<Assignment>& assignments);
-
-/// Finds a layer order of a state folded flat, and the direction of each hinge that is unassigned.
-/// Errors: those of flatFold; BadValue - no order exists, with facets that cannot be ordered.
-Status searchLayers(FoldedState& folded, const std::vector<Assignment>& assignments,
-                    const Progress& progress = {});
+/// Finds a layer order of a state folded flat, with as many of the `wanted` orders (places on the
+/// paper) as can be had together: all, or else none. Errors: those of overlapsOf and
+/// LayerStates::find; BadValue - no order exists, with facets that cannot be ordered. The value
+/// says whether the wanted orders hold.
+Result<bool> searchLayers(FoldedState& folded, const std::vector<Assignment>& assignments,
+                          const std::vector<DrawnOrder>& wanted, const Progress& progress = {});
 
 /// Orders the facets of a state that is not flat by where they come from when the angles are all
 /// folded in proportion.

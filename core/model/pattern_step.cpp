@@ -16,25 +16,53 @@
 namespace kiri {
 namespace {
 
-/// The facet that stays where it is. Errors: NotFound - the step names a place without paper.
-Result<FacetId> restingFacet(const CreasePattern& pattern, const PatternStep& step) {
-  if (step.resting) {
-    if (const std::optional<FacetId> named = facetAt(pattern, *step.resting)) return *named;
-    return Error{ErrorCode::NotFound,
-                 "there is no paper at " + text(*step.resting) +
-                     " mm, where the facet that rests is meant to be; name a point on the sheet",
-                 {{*step.resting}, {}, {}}};
-  }
-  FacetId largest(0);
-  double most = 0;
-  for (std::size_t f = 0; f < pattern.facets.size(); ++f) {
+/// The facets of the largest area of every piece, the first of several that are equal but for
+/// rounding.
+std::vector<FacetId> largestFacets(const CreasePattern& pattern) {
+  const std::vector<std::uint32_t> piece = piecesOf(pattern);
+  const double rounding = pattern.tolerance.fat() * pattern.tolerance.sheetSize();
+  std::vector<FacetId> largest;
+  std::vector<double> most;
+  for (std::size_t f = 0; f < piece.size(); ++f) {
+    if (piece[f] >= largest.size()) {
+      largest.resize(piece[f] + 1);
+      most.resize(piece[f] + 1, 0);
+    }
     const double area = areaOf(regionOf(pattern, FacetId(f)));
-    const bool isMore = area - most > pattern.tolerance.fat() * pattern.tolerance.sheetSize();
-    if (!isMore) continue;
-    largest = FacetId(f);
-    most = area;
+    if (largest[piece[f]].isValid() && area - most[piece[f]] <= rounding) continue;
+    largest[piece[f]] = FacetId(f);
+    most[piece[f]] = area;
   }
   return largest;
+}
+
+/// The facets that stay where the sheet lay, one for each connected piece, the first as the step
+/// says. Errors: NotFound - the step names a place without paper.
+Result<std::vector<FacetId>> restingFacets(const CreasePattern& pattern, const PatternStep& step) {
+  std::vector<FacetId> resting = largestFacets(pattern);
+  std::optional<FacetId> named;
+  if (step.resting) {
+    named = facetAt(pattern, *step.resting);
+    if (!named) {
+      return Error{ErrorCode::NotFound,
+                   "there is no paper at " + text(*step.resting) +
+                       " mm, where the facet that rests is meant to be; name a point on the sheet",
+                   {{*step.resting}, {}, {}}};
+    }
+  }
+  if (named) {
+    const std::uint32_t piece = piecesOf(pattern)[named->index];
+    resting[piece] = *named;
+    std::swap(resting[piece], resting.front());
+  } else {
+    const auto area = [&](FacetId f) { return areaOf(regionOf(pattern, f)); };
+    const double rounding = pattern.tolerance.fat() * pattern.tolerance.sheetSize();
+    const auto most = std::max_element(resting.begin(), resting.end(), [&](FacetId a, FacetId b) {
+      return area(b) - area(a) > rounding;
+    });
+    std::swap(*most, resting.front());
+  }
+  return resting;
 }
 
 /// By edge: what each becomes.
@@ -57,20 +85,6 @@ Targets targetsOf(const CreasedSheet& creased, const PatternStep& step) {
     if (crease.assignment != Assignment::Cut) targets.angles[e] = crease.angle;
   }
   return targets;
-}
-
-/// One rest for each connected piece, all where the uncut sheet lay.
-std::vector<Rest> restsOf(const CreasePattern& pattern, FacetId resting, const Rigid& pose) {
-  std::vector<Rest> rests{{resting, pose}};
-  const std::vector<std::uint32_t> piece = piecesOf(pattern);
-  std::vector<bool> hasRest(piece.size(), false);
-  hasRest[piece[resting.index]] = true;
-  for (std::size_t f = 0; f < piece.size(); ++f) {
-    if (hasRest[piece[f]]) continue;
-    hasRest[piece[f]] = true;
-    rests.push_back({FacetId(f), pose});
-  }
-  return rests;
 }
 
 /// All facets in the plane of the sheet, in the order of their numbers.
@@ -147,7 +161,10 @@ class PatternFolding {
       return std::monostate{};
     }
     end_.layers = unorderedLayers(end_);
-    if (!request_.orders.empty() && takeOrders()) return std::monostate{};
+    if (!request_.orders.empty()) {
+      if (takeOrders()) return std::monostate{};
+      if (isFlat(end_)) return search();
+    }
     const bool isOpen = std::any_of(targets_.assignments.begin(), targets_.assignments.end(),
                                     [](Assignment a) { return a == Assignment::Unassigned; });
     if (!isOpen || !isFlat(end_)) {
@@ -157,8 +174,17 @@ class PatternFolding {
         return std::monostate{};
       }
     }
-    if (isFlat(end_)) return searchLayers(end_, targets_.assignments, request_.progress);
+    if (isFlat(end_)) return search();
     orderPartly(end_);
+    return std::monostate{};
+  }
+
+  /// The orders that were asked for hold in what is found, if that can be.
+  Status search() {
+    const Result<bool> found =
+        searchLayers(end_, targets_.assignments, request_.orders, request_.progress);
+    if (!found) return found.error();
+    if (*found) refused_.reset();
     return std::monostate{};
   }
 
@@ -220,14 +246,14 @@ Result<PatternOutcome> foldPattern(const FoldedState& sheet, const PatternStep& 
   Result<CreasedSheet> creased = creasedSheet(sheet.pattern, step);
   if (!creased) return creased.error();
   Targets targets = targetsOf(*creased, step);
-  const Result<FacetId> resting = restingFacet(creased->pattern, step);
+  const Result<std::vector<FacetId>> resting = restingFacets(creased->pattern, step);
   if (!resting) return resting.error();
   FoldedState flat(std::move(creased->pattern));
   flat.collisions = sheet.collisions;
-  flat.rests = restsOf(flat.pattern, *resting, sheet.poseOf(FacetId(0)));
+  for (const FacetId f : *resting) flat.rests.push_back({f, sheet.poseOf(FacetId(0))});
   flat.poses = derivePoses(flat.pattern, flat.rests);
   flat.layers = flatLayers(flat.pattern, sheet.layers.sets().front().normal);
-  makeFoldLines(flat, targets.angles, *resting, linesName(step));
+  makeFoldLines(flat, targets.angles, resting->front(), linesName(step));
   if (!step.isFolded) return PatternOutcome{std::move(flat), {}, {}, {}};
   return PatternFolding(std::move(flat), step, std::move(targets), request).run();
 }
