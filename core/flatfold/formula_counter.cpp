@@ -2,6 +2,7 @@
 #include "core/flatfold/formula_counter.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace kiri {
@@ -35,38 +36,40 @@ FormulaCounter::FormulaCounter(const OrderFormula& formula, const std::vector<st
       cache_(cache),
       meter_(meter),
       unknownSeen_(formula.unknowns, 0),
-      clauseSeen_(formula.clauses.size(), 0) {}
+      clauseSeen_(formula.clauses.size(), 0),
+      weights_(formula.unknowns, 0) {}
 
 std::optional<FormulaCounter::Count> FormulaCounter::count(const Count& limit) {
-  Unknowns all(search_.formula().unknowns);
-  std::iota(all.begin(), all.end(), 0U);
-  const Count result = countParts(partsOfOpen(all), &limit);
+  const Count result = countParts(partsOfAll(), &limit);
   if (meter_.isStopped()) return std::nullopt;
   return result;
 }
 
 std::optional<FormulaCounter::Count> FormulaCounter::count() {
-  Unknowns all(search_.formula().unknowns);
-  std::iota(all.begin(), all.end(), 0U);
-  const Count result = countParts(partsOfOpen(all), nullptr);
+  const Count result = countParts(partsOfAll(), nullptr);
   if (meter_.isStopped()) return std::nullopt;
   return result;
 }
 
 std::optional<std::vector<std::uint8_t>> FormulaCounter::way(Count& number) {
-  Unknowns all(search_.formula().unknowns);
-  std::iota(all.begin(), all.end(), 0U);
-  const bool isThere = goTo(partsOfOpen(all), number);
-  if (meter_.isStopped()) return std::nullopt;
+  const bool isThere = goTo(partsOfAll(), number);
   std::vector<std::uint8_t> values;
   if (isThere) values = search_.values();
   search_.takeBackTo(0);
+  if (meter_.isStopped()) return std::nullopt;
   return values;
 }
 
-std::vector<FormulaCounter::Unknowns> FormulaCounter::partsOfOpen(const Unknowns& unknowns) {
+std::vector<FormulaCounter::Part> FormulaCounter::partsOfAll() {
+  std::vector<std::uint32_t> all(search_.formula().unknowns);
+  std::iota(all.begin(), all.end(), 0U);
+  return partsOfOpen(all);
+}
+
+std::vector<FormulaCounter::Part> FormulaCounter::partsOfOpen(
+    const std::vector<std::uint32_t>& unknowns) {
   ++round_;
-  std::vector<Unknowns> parts;
+  std::vector<Part> parts;
   for (const std::uint32_t u : unknowns) {
     if (!search_.isOpen(u) || unknownSeen_[u] == round_) continue;
     parts.emplace_back();
@@ -75,34 +78,56 @@ std::vector<FormulaCounter::Unknowns> FormulaCounter::partsOfOpen(const Unknowns
   return parts;
 }
 
-void FormulaCounter::reach(std::uint32_t unknown, Unknowns& part) {
+void FormulaCounter::reach(std::uint32_t unknown, Part& part) {
   unknownSeen_[unknown] = round_;
-  part.push_back(unknown);
+  weights_[unknown] = 0;
+  part.unknowns.push_back(unknown);
   std::size_t steps = 0;
-  for (std::size_t next = 0; next < part.size(); ++next) {
-    for (const Term t : {2 * part[next], 2 * part[next] + 1}) {
-      const std::uint32_t* end = search_.index().end(t);
-      for (const std::uint32_t* c = search_.index().begin(t); c != end; ++c) {
-        ++steps;
-        if (clauseSeen_[*c] == round_) continue;
-        clauseSeen_[*c] = round_;
-        const Clause& clause = search_.formula().clauses[*c];
-        const bool isDone = std::any_of(clause.begin(), clause.end(), [&](Term other) {
-          return other != kNoTerm && search_.isTrue(other);
-        });
-        if (isDone) continue;
-        for (const Term other : clause) {
-          if (other == kNoTerm) break;
-          const std::uint32_t u = unknownOf(other);
-          if (!search_.isOpen(u) || unknownSeen_[u] == round_) continue;
-          unknownSeen_[u] = round_;
-          part.push_back(u);
-        }
-      }
+  for (std::size_t next = 0; next < part.unknowns.size(); ++next) {
+    const Term t = 2 * part.unknowns[next];
+    // The clauses of a term and those of its opposite stand one after the other.
+    const std::uint32_t* end = search_.index().end(t + 1);
+    for (const std::uint32_t* c = search_.index().begin(t); c != end; ++c) {
+      ++steps;
+      if (clauseSeen_[*c] == round_) continue;
+      clauseSeen_[*c] = round_;
+      weigh(search_.formula().clauses[*c], *c, part);
     }
   }
-  std::sort(part.begin(), part.end());
+  std::sort(part.unknowns.begin(), part.unknowns.end());
+  std::sort(part.shortened.begin(), part.shortened.end());
+  // The unknown in most clauses, short ones first; of equal ones the first.
+  part.branch = part.unknowns.front();
+  for (const std::uint32_t u : part.unknowns) {
+    if (weights_[u] > weights_[part.branch]) part.branch = u;
+  }
   meter_.spend(8 * steps);
+}
+
+/// Adds what a clause ties together, unless it is true.
+void FormulaCounter::weigh(const Clause& clause, std::uint32_t index, Part& part) {
+  std::array<std::uint32_t, 4> open{};
+  std::size_t opens = 0;
+  std::size_t size = 0;
+  for (const Term t : clause) {
+    if (t == kNoTerm) break;
+    ++size;
+    if (search_.isOpen(unknownOf(t))) {
+      open[opens++] = unknownOf(t);
+    } else if (search_.isTrue(t)) {
+      return;
+    }
+  }
+  if (opens < size) part.shortened.push_back(index);
+  for (std::size_t i = 0; i < opens; ++i) {
+    const std::uint32_t u = open[i];
+    if (unknownSeen_[u] != round_) {
+      unknownSeen_[u] = round_;
+      weights_[u] = 0;
+      part.unknowns.push_back(u);
+    }
+    weights_[u] += 64U >> (2 * opens);
+  }
 }
 
 namespace {
@@ -116,86 +141,36 @@ void appendNumber(std::string& key, std::uint32_t number) {
   key.push_back(static_cast<char>(number));
 }
 
+void appendAscending(std::string& key, const std::vector<std::uint32_t>& numbers) {
+  appendNumber(key, static_cast<std::uint32_t>(numbers.size()));
+  std::uint32_t last = 0;
+  for (const std::uint32_t number : numbers) {
+    appendNumber(key, number - last);
+    last = number;
+  }
+}
+
 }  // namespace
 
-/// The open unknowns and the clauses that have lost terms but are not yet true say all about a
-/// part.
-std::string FormulaCounter::keyOf(const Unknowns& part) {
-  ++round_;
+FormulaCounter::Count FormulaCounter::countPart(const Part& part, const Count* limit) {
+  if (part.unknowns.size() == 1) return 2;  // a clause of one term would have given it a value
+  // The open unknowns and the clauses that have lost terms but are not yet true say all.
   std::string key;
-  std::uint32_t last = 0;
-  std::vector<std::uint32_t> shortened;
-  for (const std::uint32_t u : part) {
-    appendNumber(key, u - last);
-    last = u;
-    for (const Term t : {2 * u, 2 * u + 1}) {
-      const std::uint32_t* end = search_.index().end(t);
-      for (const std::uint32_t* c = search_.index().begin(t); c != end; ++c) {
-        if (clauseSeen_[*c] == round_) continue;
-        clauseSeen_[*c] = round_;
-        const Clause& clause = search_.formula().clauses[*c];
-        bool isTrue = false;
-        bool isWhole = true;
-        for (const Term other : clause) {
-          if (other == kNoTerm) break;
-          isTrue = isTrue || search_.isTrue(other);
-          isWhole = isWhole && search_.isOpen(unknownOf(other));
-        }
-        if (!isTrue && !isWhole) shortened.push_back(*c);
-      }
-    }
-  }
-  appendNumber(key, 0);
-  std::sort(shortened.begin(), shortened.end());
-  last = 0;
-  for (const std::uint32_t c : shortened) {
-    appendNumber(key, c - last);
-    last = c;
-  }
-  return key;
-}
-
-/// The unknown in most clauses, short ones first; of equal ones the first.
-std::uint32_t FormulaCounter::branchOf(const Unknowns& part) const {
-  std::uint32_t best = part.front();
-  std::size_t bestScore = 0;
-  for (const std::uint32_t u : part) {
-    std::size_t score = 0;
-    for (const Term t : {2 * u, 2 * u + 1}) {
-      const std::uint32_t* end = search_.index().end(t);
-      for (const std::uint32_t* c = search_.index().begin(t); c != end; ++c) {
-        std::size_t opens = 0;
-        bool isTrue = false;
-        for (const Term other : search_.formula().clauses[*c]) {
-          if (other == kNoTerm) break;
-          opens += search_.isOpen(unknownOf(other)) ? 1U : 0U;
-          isTrue = isTrue || search_.isTrue(other);
-        }
-        if (!isTrue) score += std::size_t{64} >> (2 * opens);
-      }
-    }
-    if (score > bestScore) {
-      bestScore = score;
-      best = u;
-    }
-  }
-  return best;
-}
-
-void FormulaCounter::spendSteps() { meter_.spend(search_.takeSteps()); }
-
-FormulaCounter::Count FormulaCounter::countPart(const Unknowns& part, const Count* limit) {
-  if (part.size() == 1) return 2;  // a clause of one term would have given it a value
-  const std::string key = keyOf(part);
+  appendAscending(key, part.unknowns);
+  appendAscending(key, part.shortened);
   if (const Count* known = cache_.find(key)) return *known;
   Count count = countSplit(part, limit);
   if (!meter_.isStopped() && (limit == nullptr || count < *limit)) cache_.keep(key, count);
   return count;
 }
 
-FormulaCounter::Count FormulaCounter::countSplit(const Unknowns& part, const Count* limit) {
-  const std::uint32_t u = branchOf(part);
-  const Term t = 2 * u + (first_[u] == FormulaSearch::kTrue ? 0 : 1);
+/// The value that the first way has, where that is still possible.
+Term FormulaCounter::firstBranch(const Part& part) const {
+  return 2 * part.branch + (first_[part.branch] == FormulaSearch::kTrue ? 0 : 1);
+}
+
+FormulaCounter::Count FormulaCounter::countSplit(const Part& part, const Count* limit) {
+  const Term t = firstBranch(part);
   Count count = countBranch(part, t, limit);
   if (meter_.isStopped() || (limit != nullptr && count >= *limit)) return count;
   if (limit == nullptr) return count + countBranch(part, opposite(t), nullptr);
@@ -203,25 +178,25 @@ FormulaCounter::Count FormulaCounter::countSplit(const Unknowns& part, const Cou
   return count + countBranch(part, opposite(t), &rest);
 }
 
-FormulaCounter::Count FormulaCounter::countBranch(const Unknowns& part, Term t,
-                                                  const Count* limit) {
+FormulaCounter::Count FormulaCounter::countBranch(const Part& part, Term t, const Count* limit) {
   const std::size_t mark = search_.mark();
   Count count = 0;
-  if (search_.assume(t)) count = countParts(partsOfOpen(part), limit);
+  if (search_.assume(t)) count = countParts(partsOfOpen(part.unknowns), limit);
   search_.takeBackTo(mark);
-  spendSteps();
+  meter_.spend(search_.takeSteps());
   return count;
 }
 
-FormulaCounter::Count FormulaCounter::countParts(const std::vector<Unknowns>& parts,
+FormulaCounter::Count FormulaCounter::countParts(const std::vector<Part>& parts,
                                                  const Count* limit) {
   // Small parts first: the sooner one is found that has no way.
-  std::vector<const Unknowns*> order;
-  for (const Unknowns& part : parts) order.push_back(&part);
-  std::stable_sort(order.begin(), order.end(),
-                   [](const Unknowns* a, const Unknowns* b) { return a->size() < b->size(); });
+  std::vector<const Part*> order;
+  for (const Part& part : parts) order.push_back(&part);
+  std::stable_sort(order.begin(), order.end(), [](const Part* a, const Part* b) {
+    return a->unknowns.size() < b->unknowns.size();
+  });
   Count product = 1;
-  for (const Unknowns* part : order) {
+  for (const Part* part : order) {
     if (limit == nullptr) {
       product *= countPart(*part, nullptr);
     } else {
@@ -234,7 +209,7 @@ FormulaCounter::Count FormulaCounter::countParts(const std::vector<Unknowns>& pa
 }
 
 /// Gives the parts the values of way `number`, the first part changing slowest.
-bool FormulaCounter::goTo(const std::vector<Unknowns>& parts, Count& number) {
+bool FormulaCounter::goTo(const std::vector<Part>& parts, Count& number) {
   std::vector<Count> digits(parts.size());
   Count ways = 1;
   Count left = number;
@@ -256,10 +231,9 @@ bool FormulaCounter::goTo(const std::vector<Unknowns>& parts, Count& number) {
 }
 
 /// Requires that the part has way `number`.
-void FormulaCounter::goToPart(const Unknowns& part, Count number) {
+void FormulaCounter::goToPart(const Part& part, Count number) {
   if (meter_.isStopped()) return;
-  const std::uint32_t u = part.size() == 1 ? part.front() : branchOf(part);
-  Term t = 2 * u + (first_[u] == FormulaSearch::kTrue ? 0 : 1);
+  Term t = firstBranch(part);
   const Count limit = number + 1;
   const Count count = countBranch(part, t, &limit);
   if (meter_.isStopped()) return;
@@ -268,8 +242,8 @@ void FormulaCounter::goToPart(const Unknowns& part, Count number) {
     t = opposite(t);
   }
   KIRI_CHECK(search_.assume(t), "a way that was counted is there");
-  spendSteps();
-  goTo(partsOfOpen(part), number);
+  meter_.spend(search_.takeSteps());
+  goTo(partsOfOpen(part.unknowns), number);
 }
 
 }  // namespace kiri

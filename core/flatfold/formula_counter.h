@@ -51,19 +51,24 @@ class FormulaCounter {
   std::optional<std::vector<std::uint8_t>> way(Count& number);
 
  private:
-  using Unknowns = std::vector<std::uint32_t>;
+  /// Open unknowns that hang together.
+  struct Part {
+    std::vector<std::uint32_t> unknowns;   ///< ascending
+    std::vector<std::uint32_t> shortened;  ///< clauses, ascending, that lost terms but are not true
+    std::uint32_t branch = 0;              ///< the unknown to try
+  };
 
-  std::vector<Unknowns> partsOfOpen(const Unknowns& unknowns);
-  void reach(std::uint32_t unknown, Unknowns& part);
-  std::string keyOf(const Unknowns& part);
-  std::uint32_t branchOf(const Unknowns& part) const;
-  Count countPart(const Unknowns& part, const Count* limit);
-  Count countSplit(const Unknowns& part, const Count* limit);
-  Count countBranch(const Unknowns& part, Term t, const Count* limit);
-  Count countParts(const std::vector<Unknowns>& parts, const Count* limit);
-  bool goTo(const std::vector<Unknowns>& parts, Count& number);
-  void goToPart(const Unknowns& part, Count number);
-  void spendSteps();
+  std::vector<Part> partsOfAll();
+  std::vector<Part> partsOfOpen(const std::vector<std::uint32_t>& unknowns);
+  void reach(std::uint32_t unknown, Part& part);
+  void weigh(const Clause& clause, std::uint32_t index, Part& part);
+  Count countPart(const Part& part, const Count* limit);
+  Count countSplit(const Part& part, const Count* limit);
+  Count countBranch(const Part& part, Term t, const Count* limit);
+  Count countParts(const std::vector<Part>& parts, const Count* limit);
+  bool goTo(const std::vector<Part>& parts, Count& number);
+  void goToPart(const Part& part, Count number);
+  Term firstBranch(const Part& part) const;
 
   FormulaSearch search_;
   const std::vector<std::uint8_t>& first_;
@@ -71,6 +76,7 @@ class FormulaCounter {
   WorkMeter& meter_;
   std::vector<std::uint32_t> unknownSeen_;
   std::vector<std::uint32_t> clauseSeen_;
+  std::vector<std::uint32_t> weights_;  ///< by unknown, of the round it was seen in
   std::uint32_t round_ = 0;
 };
 

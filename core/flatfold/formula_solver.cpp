@@ -41,7 +41,6 @@ std::optional<bool> FormulaSolver::solve(const std::vector<Term>& assumptions,
 /// of those are enough for most, and cheaper than a library that prepares for millions.
 FormulaSolver::Outcome FormulaSolver::solveByHand(const std::vector<Term>& assumptions,
                                                   const std::vector<std::uint8_t>& near) {
-  constexpr int kContradictions = 300;
   struct Choice {
     std::uint32_t unknown;
     std::size_t mark;
@@ -78,11 +77,22 @@ FormulaSolver::Outcome FormulaSolver::solveByHand(const std::vector<Term>& assum
       isFine = search_.assume(opposite(choices.back().term));
     }
     if (!isFine) outcome = Outcome::None;
-    if (!isFine || contradictions > kContradictions || !meter_.spend(search_.takeSteps())) break;
+    if (!isFine || contradictions > patience_ || !meter_.spend(search_.takeSteps())) break;
     u = choices.back().unknown;
   }
   search_.takeBackTo(start);
+  // Where it gave up once it will do so again.
+  if (outcome == Outcome::Unsure) patience_ /= 4;
   return outcome;
+}
+
+bool FormulaSolver::fix(Term t) {
+  if (cadical_) {
+    cadical_->solver.add(Cadical::literalOf(t));
+    cadical_->solver.add(0);
+  }
+  fixed_.push_back(t);
+  return search_.assume(t);
 }
 
 std::optional<bool> FormulaSolver::solveByCadical(const std::vector<Term>& assumptions,
@@ -95,6 +105,10 @@ std::optional<bool> FormulaSolver::solveByCadical(const std::vector<Term>& assum
       for (const Term t : clause) {
         if (t != kNoTerm) cadical_->solver.add(Cadical::literalOf(t));
       }
+      cadical_->solver.add(0);
+    }
+    for (const Term t : fixed_) {
+      cadical_->solver.add(Cadical::literalOf(t));
       cadical_->solver.add(0);
     }
     cadical_->solver.reserve(static_cast<int>(formula_.unknowns));

@@ -22,6 +22,8 @@ class FormulaSolver {
   /// first (by unknown; empty: no wish). None: the meter stopped. False: there are none.
   std::optional<bool> solve(const std::vector<Term>& assumptions,
                             const std::vector<std::uint8_t>& near);
+  /// Makes a term true from now on. Requires that it is true in some way; returns that it can be.
+  bool fix(Term t);
   /// The values that were found last, by unknown.
   const std::vector<std::uint8_t>& found() const { return found_; }
 
@@ -37,6 +39,8 @@ class FormulaSolver {
   WorkMeter& meter_;
   FormulaSearch search_;
   bool areUnitsFine_;
+  int patience_ = 300;  ///< contradictions after which the search by hand gives up
+  std::vector<Term> fixed_;
   std::unique_ptr<Cadical> cadical_;
   std::vector<std::uint8_t> found_;
 };

@@ -86,6 +86,7 @@ class FreePartsFinder {
       if (!isSolved) return std::nullopt;
       if (!*isSolved) {
         fixed.push_back(now);
+        KIRI_CHECK(solver.fix(now), "what holds in every way can hold");
         continue;
       }
       for (std::uint32_t v = 0; v < formula.unknowns; ++v) {
