@@ -8,6 +8,7 @@
 
 #include "io/face_orders.h"
 #include "io/facet_mesh.h"
+#include "io/fold_json.h"
 #include "io/folded_form.h"
 #include "io/json_tree.h"
 
@@ -19,19 +20,6 @@ JsonValue integer(std::uint32_t value) { return JsonValue::ofNumber(value); }
 
 JsonValue indexOrNull(std::uint32_t value) {
   return value == MeshEdge::kNoFace ? JsonValue{} : integer(value);
-}
-
-JsonValue pairOf(JsonValue a, JsonValue b) {
-  JsonValue out = JsonValue::array();
-  out.items.push_back(std::move(a));
-  out.items.push_back(std::move(b));
-  return out;
-}
-
-JsonValue textList(const std::vector<std::string>& texts) {
-  JsonValue out = JsonValue::array();
-  for (const std::string& text : texts) out.items.push_back(JsonValue::ofText(text));
-  return out;
 }
 
 struct Assignment {
@@ -69,10 +57,10 @@ void addEdges(JsonValue& frame, const FoldedState& state, const std::vector<Mesh
   JsonValue names = JsonValue::array();
   for (const MeshEdge& edge : edges) {
     const Assignment assignment = assignmentOf(state, edge);
-    vertices.items.push_back(pairOf(integer(edge.from), integer(edge.to)));
+    vertices.items.push_back(jsonPair(integer(edge.from), integer(edge.to)));
     assignments.items.push_back(JsonValue::ofText(assignment.letter));
     angles.items.push_back(JsonValue::ofNumber(assignment.angle));
-    faces.items.push_back(pairOf(indexOrNull(edge.left), indexOrNull(edge.right)));
+    faces.items.push_back(jsonPair(indexOrNull(edge.left), indexOrNull(edge.right)));
     names.items.push_back(foldNameOf(state, edge));
   }
   frame.add("edges_vertices", std::move(vertices));
@@ -97,7 +85,7 @@ void addFaces(JsonValue& frame, const std::vector<MeshFace>& faces) {
 void addOrders(JsonValue& frame, const FaceOrders& orders) {
   JsonValue list = JsonValue::array();
   for (const FaceOrder& order : orders.list) {
-    JsonValue& triple = list.items.emplace_back(pairOf(integer(order.f), integer(order.g)));
+    JsonValue& triple = list.items.emplace_back(jsonPair(integer(order.f), integer(order.g)));
     triple.items.push_back(JsonValue::ofNumber(order.side));
   }
   frame.add("faceOrders", std::move(list));
@@ -111,22 +99,17 @@ bool hasKind(const std::vector<MeshEdge>& edges, MeshEdgeKind kind) {
 }
 
 JsonValue attributesOf(const char* dimension, const std::vector<MeshEdge>& edges) {
-  return textList({dimension, "manifold", "orientable", "convexFaces",
-                   hasKind(edges, MeshEdgeKind::Cut) ? "cuts" : "noCuts",
-                   hasKind(edges, MeshEdgeKind::Join) ? "joins" : "noJoins"});
-}
-
-void addText(JsonValue& out, const char* name, const std::string& text) {
-  if (!text.empty()) out.add(name, JsonValue::ofText(text));
+  return foldAttributes(dimension, true, hasKind(edges, MeshEdgeKind::Cut),
+                        hasKind(edges, MeshEdgeKind::Join));
 }
 
 void addPattern(JsonValue& out, const FoldedState& state, const FacetMesh& mesh) {
-  out.add("frame_classes", textList({"creasePattern"}));
+  out.add("frame_classes", jsonTexts({"creasePattern"}));
   out.add("frame_attributes", attributesOf("2D", mesh.edges));
   out.add("frame_unit", JsonValue::ofText("mm"));
   JsonValue coordinates = JsonValue::array();
   for (const Vec2 v : mesh.vertices) {
-    coordinates.items.push_back(pairOf(JsonValue::ofNumber(v.x), JsonValue::ofNumber(v.y)));
+    coordinates.items.push_back(jsonPair(JsonValue::ofNumber(v.x), JsonValue::ofNumber(v.y)));
   }
   out.add("vertices_coords", std::move(coordinates));
   addEdges(out, state, mesh.edges);
@@ -138,9 +121,9 @@ JsonValue foldedFrame(const FoldFrame& entry, const FacetMesh& mesh) {
   const FoldedState& state = *entry.state;
   const FoldedForm form = foldedFormOf(state, mesh);
   JsonValue out = JsonValue::object();
-  addText(out, "frame_title", entry.title);
-  addText(out, "frame_description", entry.description);
-  out.add("frame_classes", textList({"foldedForm"}));
+  addJsonText(out, "frame_title", entry.title);
+  addJsonText(out, "frame_description", entry.description);
+  out.add("frame_classes", jsonTexts({"foldedForm"}));
   out.add("frame_attributes", attributesOf("3D", form.edges));
   out.add("frame_unit", JsonValue::ofText("mm"));
   out.add("frame_inherit", JsonValue::ofBool(false));
@@ -148,11 +131,11 @@ JsonValue foldedFrame(const FoldFrame& entry, const FacetMesh& mesh) {
   JsonValue rest = JsonValue::array();
   for (std::size_t v = 0; v < form.vertices.size(); ++v) {
     const Vec3 p = form.vertices[v];
-    JsonValue& at =
-        coordinates.items.emplace_back(pairOf(JsonValue::ofNumber(p.x), JsonValue::ofNumber(p.y)));
+    JsonValue& at = coordinates.items.emplace_back(
+        jsonPair(JsonValue::ofNumber(p.x), JsonValue::ofNumber(p.y)));
     at.items.push_back(JsonValue::ofNumber(p.z));
     const Vec2 q = form.paper[v];
-    rest.items.push_back(pairOf(JsonValue::ofNumber(q.x), JsonValue::ofNumber(q.y)));
+    rest.items.push_back(jsonPair(JsonValue::ofNumber(q.x), JsonValue::ofNumber(q.y)));
   }
   out.add("vertices_coords", std::move(coordinates));
   out.add("vertices_kiri:paper", std::move(rest));
@@ -193,10 +176,10 @@ Exported writeFold(const FoldedState& state, const std::vector<FoldFrame>& histo
   JsonValue out = JsonValue::object();
   out.add("file_spec", JsonValue::ofNumber(1.2));
   out.add("file_creator", JsonValue::ofText(options.creator));
-  addText(out, "file_title", options.title);
-  addText(out, "file_description", options.description);
+  addJsonText(out, "file_title", options.title);
+  addJsonText(out, "file_description", options.description);
   out.add("file_classes",
-          history.empty() ? textList({"singleModel"}) : textList({"singleModel", "diagrams"}));
+          history.empty() ? jsonTexts({"singleModel"}) : jsonTexts({"singleModel", "diagrams"}));
   const FacetMesh mesh = meshOf(state.pattern);
   losses.note(mesh);
   addPattern(out, state, mesh);
@@ -210,7 +193,7 @@ Exported writeFold(const FoldedState& state, const std::vector<FoldFrame>& histo
     out.add("file_frames", std::move(frames));
   }
   const std::vector<std::string> sentences = losses.sentences();
-  if (!sentences.empty()) out.add("kiri:losses", textList(sentences));
+  if (!sentences.empty()) out.add("kiri:losses", jsonTexts(sentences));
   constexpr std::size_t kDocument = 1;
   return {layOut(out, kDocument), sentences};
 }

@@ -13,6 +13,9 @@ namespace kiri {
 /// notes. Errors: BadFile - no line makes sense.
 Result<PatternFile> readCpPattern(std::string_view text, std::string_view fileName);
 
+/// One line of text for each crease, y turned down.
+WrittenPattern writeCpPattern(const PatternFile& file);
+
 /// True when one of the first lines of the text is that of a .cp file.
 bool looksLikeCp(std::string_view text);
 

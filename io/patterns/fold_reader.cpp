@@ -3,7 +3,6 @@
 #include "io/patterns/fold_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,7 +11,9 @@
 #include "io/patterns/fold_frames.h"
 #include "io/patterns/fold_graph.h"
 #include "io/patterns/fold_orders.h"
+#include "io/patterns/fold_units.h"
 #include "io/patterns/fold_unroll.h"
+#include "io/patterns/plain_number.h"
 
 namespace kiri {
 
@@ -107,30 +108,23 @@ void addFaces(const FoldGraph& graph, CreaseDrawing& drawing) {
   }
 }
 
-std::string textOf(const FoldFrameView& frame, const JsonValue& document, const char* ofFile,
-                   const char* ofFrame) {
+std::string frameText(const FoldFrameView& frame, const JsonValue& document, const char* ofFile,
+                      const char* ofFrame) {
   const JsonValue* text = document.find(ofFile);
   if (text == nullptr || !text->is(Kind::String)) text = frame.find(ofFrame);
   return text != nullptr && text->is(Kind::String) ? text->text : "";
 }
 
 std::optional<double> unitOf(const FoldFrameView& frame, std::vector<std::string>& notes) {
+  const JsonValue* size = frame.find(kMmPerUnitKey);
+  if (size != nullptr && size->is(Kind::Number) && size->number > 0 && isDrawable(size->number)) {
+    return size->number;
+  }
   const JsonValue* unit = frame.find("frame_unit");
   if (unit == nullptr || (unit->is(Kind::String) && unit->text == "unit")) return std::nullopt;
-  constexpr double kInch = 25.4;
-  constexpr double kPointsPerInch = 72;
-  constexpr std::array<std::pair<const char*, double>, 7> kUnits = {{{"in", kInch},
-                                                                     {"pt", kInch / kPointsPerInch},
-                                                                     {"m", 1000},
-                                                                     {"cm", 10},
-                                                                     {"mm", 1},
-                                                                     {"um", 0.001},
-                                                                     {"nm", 0.000001}}};
-  for (const auto& [name, size] : kUnits) {
-    if (unit->is(Kind::String) && unit->text == name) return size;
-  }
-  notes.push_back("frame_unit is none that FOLD knows and was left out");
-  return std::nullopt;
+  const std::optional<double> known = mmOfFoldUnit(unit->text);
+  if (!known) notes.emplace_back("frame_unit is none that FOLD knows and was left out");
+  return known;
 }
 
 bool startsWith(const std::string& text, std::string_view start) {
@@ -138,8 +132,9 @@ bool startsWith(const std::string& text, std::string_view start) {
 }
 
 bool isOurs(const std::string& name) {
-  return name == "kiri:losses" || name == "kiri:faceOrders" || startsWith(name, "edges_kiri:") ||
-         startsWith(name, "faces_kiri:") || startsWith(name, "vertices_kiri:");
+  return name == "kiri:losses" || name == kMmPerUnitKey || name == "kiri:faceOrders" ||
+         startsWith(name, "edges_kiri:") || startsWith(name, "faces_kiri:") ||
+         startsWith(name, "vertices_kiri:");
 }
 
 /// Names of arrays that the specification has, beside those that are read: they follow from others.
@@ -221,9 +216,9 @@ Result<PatternFile> readFoldPattern(std::string_view text, std::string_view file
   }
   addEdges(found->graph, file.drawing);
   addFaces(found->graph, file.drawing);
-  file.title = textOf(found->frame, *document, "file_title", "frame_title");
-  file.author = textOf(found->frame, *document, "file_author", "frame_author");
-  file.description = textOf(found->frame, *document, "file_description", "frame_description");
+  file.title = frameText(found->frame, *document, "file_title", "frame_title");
+  file.author = frameText(found->frame, *document, "file_author", "frame_author");
+  file.description = frameText(found->frame, *document, "file_description", "frame_description");
   file.mmPerUnit = unitOf(found->frame, file.notes);
   addOrders(*document, found->frame, found->graph, file);
   keepUnknown(*document, found->frame, file);

@@ -7,15 +7,19 @@
 #include <utility>
 
 #include "io/patterns/cp_format.h"
+#include "io/patterns/dxf_format.h"
+#include "io/patterns/fold_pattern_writer.h"
 #include "io/patterns/fold_reader.h"
+#include "io/patterns/opx_format.h"
 #include "io/patterns/svg_reader.h"
+#include "io/patterns/svg_writer.h"
 #include "io/patterns/text_lines.h"
 
 namespace kiri {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostPatternBytes = std::size_t{64} << 20;
 
 /// The ending of a file's name in small letters, without the point; empty when there is none.
 std::string endingOf(std::string_view fileName) {
@@ -51,13 +55,14 @@ Result<PatternFile> readAs(PatternFormat format, std::string_view text, std::str
       return readFoldPattern(text, fileName);
     case PatternFormat::Cp:
       return readCpPattern(text, fileName);
+    case PatternFormat::Opx:
+      return readOpxPattern(text, fileName);
     case PatternFormat::Svg:
       return readSvgPattern(text, fileName);
-    case PatternFormat::Opx:
     case PatternFormat::Dxf:
       break;
   }
-  return unreadable(fileName, "this format is not read yet");
+  return readDxfPattern(text, fileName);
 }
 
 bool contains(std::string_view text, std::string_view word) {
@@ -101,9 +106,9 @@ std::optional<PatternFormat> sniffedFormat(std::string_view text) {
 }
 
 Result<PatternFile> readPattern(std::string_view text, std::string_view fileName) {
-  if (text.size() > kMostBytes) {
+  if (text.size() > kMostPatternBytes) {
     return unreadable(fileName, "the file has " + std::to_string(text.size() >> 20) +
-                                    " MB, at most " + std::to_string(kMostBytes >> 20) +
+                                    " MB, at most " + std::to_string(kMostPatternBytes >> 20) +
                                     " MB are read; is this the right file?");
   }
   if (trimmed(withoutMark(text)).empty()) return unreadable(fileName, "the file is empty");
@@ -111,6 +116,22 @@ Result<PatternFile> readPattern(std::string_view text, std::string_view fileName
   if (!format) format = sniffedFormat(text);
   if (!format) return noPattern(fileName);
   return readAs(*format, text, fileName);
+}
+
+WrittenPattern writePattern(const PatternFile& file, PatternFormat format) {
+  switch (format) {
+    case PatternFormat::Fold:
+      return writeFoldPattern(file);
+    case PatternFormat::Cp:
+      return writeCpPattern(file);
+    case PatternFormat::Opx:
+      return writeOpxPattern(file);
+    case PatternFormat::Svg:
+      return writeSvgDrawing(file);
+    case PatternFormat::Dxf:
+      break;
+  }
+  return writeDxfPattern(file);
 }
 
 }  // namespace kiri
