@@ -284,19 +284,17 @@ std::optional<Arrangement> arrange(const std::vector<Vec2>& points,
   return divider.result();
 }
 
-bool isClear(const Arrangement& a, double distance) {
+double clearanceOf(const Arrangement& a, double most) {
   std::vector<Box> boxes;
   for (const Vec2 p : a.points) boxes.push_back(boxAt(p));
   const BoxTree tree(std::move(boxes));
-  return std::all_of(a.pieces.begin(), a.pieces.end(), [&](const auto& piece) {
+  for (const std::array<std::uint32_t, 2>& piece : a.pieces) {
     const Segment2 segment{a.points[piece[0]], a.points[piece[1]]};
-    bool isAlone = true;
-    tree.near(segment, distance, [&](std::uint32_t p) {
-      if (p == piece[0] || p == piece[1]) return;
-      if (distanceTo(segment, a.points[p]) <= distance) isAlone = false;
+    tree.near(segment, most, [&](std::uint32_t p) {
+      if (p != piece[0] && p != piece[1]) most = std::min(most, distanceTo(segment, a.points[p]));
     });
-    return isAlone;
-  });
+  }
+  return most;
 }
 
 }  // namespace kiri

@@ -28,7 +28,8 @@ std::optional<Arrangement> arrange(const std::vector<Vec2>& points,
                                    const std::vector<std::array<std::uint32_t, 2>>& lines,
                                    double within);
 
-/// True when every point is farther than `distance` from all pieces that do not end there.
-bool isClear(const Arrangement& arrangement, double distance);
+/// The least distance of a point from a piece that does not end there, or `most` when none is
+/// nearer.
+double clearanceOf(const Arrangement& arrangement, double most);
 
 }  // namespace kiri

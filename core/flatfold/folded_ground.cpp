@@ -4,27 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <string>
 
 #include "core/base/text.h"
 #include "core/flatfold/ground_stacks.h"
+#include "core/flatfold/near_misses.h"
 #include "core/flatfold/order_rules.h"
+#include "core/paper/folded_state.h"
 
 namespace kiri {
 namespace {
 
-/// The shortest line may be divided, but not more coarsely than this part of it.
+/// Distances that are tried are not longer than this part of the shortest line.
 constexpr double kCoarsestPart = 4;
-/// A distance is sure when nothing was moved by more than a part of it, and nothing that is apart
-/// lies nearer than a multiple: any distance between would give the same map. Tried first with much
-/// room, then with less, at steps that do not jump over such a gap.
-struct Room {
-  double factor = 1;
-  double step = 2;
-};
-constexpr Room kRooms[] = {{4, 8}, {1.5, 2}, {1, 2}};
+/// A distance is taken when nothing was moved by more than this part of it, and nothing that is
+/// apart lies nearer than this many times of it: any distance between would give the same map, so
+/// it is no matter of chance. When there is none, less room must do.
+constexpr int kRooms[] = {4, 2, 1};
 
 /// The ground as one distance divides it.
 struct Trial {
@@ -35,39 +32,45 @@ struct Trial {
   CellFacets facets;
 };
 
+/// True when hinges join facets that other hinges join already.
+bool hasLoops(const CreasePattern& pattern) {
+  const auto hinges = static_cast<std::size_t>(
+      std::count_if(pattern.edges.begin(), pattern.edges.end(),
+                    [](const Edge& e) { return e.kind == EdgeKind::Hinge; }));
+  const std::vector<std::uint32_t> pieces = piecesOf(pattern);
+  return hinges + *std::max_element(pieces.begin(), pieces.end()) + 1 > pieces.size();
+}
+
 class Trials {
  public:
   Trials(const AssignedPattern& creases, const FlatMap& map, const FoldedLines& lines)
       : lines_(lines), error_(map.error), paper_(areaOf(creases.pattern)) {
-    double shortest = creases.pattern.tolerance.sheetSize();
+    const Tolerance& tolerance = creases.pattern.tolerance;
+    double shortest = tolerance.sheetSize();
     for (const std::array<std::uint32_t, 2>& ends : lines.ends) {
       const double line = distance(lines.points[ends[0]], lines.points[ends[1]]);
       if (line > 0) shortest = std::min(shortest, line);
       total_ += line;
     }
     coarsest_ = shortest / kCoarsestPart;
-    finest_ = kVanishing * creases.pattern.tolerance.sheetSize();
-    // Between what ought to coincide but does not, and what ought not to.
-    const double low = std::max(map.error, creases.pattern.tolerance.length());
-    middle_ = std::min(coarsest_, std::sqrt(low * coarsest_));
+    finest_ = std::min(tolerance.length(), coarsest_ / kCoarsestPart);
+    // Where no loop of hinges says how precise the drawing is, the usual precision is expected.
+    noise_ = hasLoops(creases.pattern) ? std::max(map.error, finest_) : tolerance.thin();
   }
 
-  /// The distances nearest to the likely one come first. None when all fail.
+  /// None when all distances fail.
   std::optional<Trial> best(const Progress& progress, bool& wasCancelled) const {
-    for (std::size_t r = 0; r < std::size(kRooms); ++r) {
-      double up = middle_ * kRooms[r].step;
-      double down = middle_;
-      while (down >= finest_ || up <= coarsest_) {
-        if (!goesOn(progress, static_cast<double>(r) / std::size(kRooms))) {
+    const NearMisses misses(lines_, finest_, 2 * coarsest_);
+    double part = 0;
+    for (const int room : kRooms) {
+      for (const double within : misses.gaps(noise_, room)) {
+        // Of an unknown number of trials most are the first.
+        part += (1 - part) / 2;
+        if (!goesOn(progress, part)) {
           wasCancelled = true;
           return std::nullopt;
         }
-        for (const double within : {down, up}) {
-          if (within < finest_ || within > coarsest_) continue;
-          if (std::optional<Trial> trial = tryWithin(within, kRooms[r].factor)) return trial;
-        }
-        down /= kRooms[r].step;
-        up *= kRooms[r].step;
+        if (std::optional<Trial> trial = tryWithin(within, room)) return trial;
       }
     }
     return std::nullopt;
@@ -77,7 +80,8 @@ class Trials {
   std::optional<Trial> tryWithin(double within, double room) const {
     std::optional<Arrangement> arrangement = arrange(lines_.points, lines_.ends, within);
     if (!arrangement || arrangement->farthest * room > within) return std::nullopt;
-    if (room > 1 && !isClear(*arrangement, room * within)) return std::nullopt;
+    const double most = room * within;
+    if (room > 1 && clearanceOf(*arrangement, most) < most) return std::nullopt;
     std::optional<PlanarCells> cells = cellsOf(*arrangement);
     if (!cells) return std::nullopt;
     Trial trial{within, std::move(*arrangement), std::move(*cells), {}, {}};
@@ -103,7 +107,7 @@ class Trials {
   double total_ = 0;  ///< length of all lines
   double coarsest_ = 0;
   double finest_ = 0;
-  double middle_ = 0;
+  double noise_ = 0;
 };
 
 FoldedGround groundOf(Trial& trial) {

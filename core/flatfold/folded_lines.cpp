@@ -107,8 +107,21 @@ class Corners {
     }
   }
 
+  /// Curved borders and cuts become chords.
   void add(FoldedLines& made, std::uint32_t from, std::uint32_t to, FoldedLine line) const {
-    made.ends.push_back({pointOf_[from], pointOf_[to]});
+    std::uint32_t at = pointOf_[from];
+    if (pattern_[line.edge].isCurved()) {
+      const Arc arc = arcOf(pattern_, line.edge);
+      for (const double t : flatteningParameters(arc, pattern_.tolerance.flattening())) {
+        if (t <= 0 || t >= 1) continue;
+        const auto next = static_cast<std::uint32_t>(made.points.size());
+        made.points.push_back(map_.poses[line.first.index].apply(pointAt(arc, t)));
+        made.ends.push_back({at, next});
+        made.lines.push_back(line);
+        at = next;
+      }
+    }
+    made.ends.push_back({at, pointOf_[to]});
     made.lines.push_back(line);
   }
 

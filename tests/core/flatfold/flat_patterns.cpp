@@ -1,6 +1,8 @@
 // Drawn by hand from the guide's coordinates. SPDX-License-Identifier: MIT
 #include "tests/core/flatfold/flat_patterns.h"
 
+#include "core/creases/repair.h"
+
 namespace kiri::test {
 
 AssignedPattern unassignedPattern(const std::vector<Vec2>& vertices,
@@ -57,6 +59,41 @@ AssignedPattern squareTwist() {
   const std::vector<std::size_t> rim{4, 11, 12, 10, 9, 13, 8, 7, 14, 6, 5, 15};
   for (std::size_t i = 0; i < rim.size(); ++i) edges.push_back({rim[i], rim[(i + 1) % rim.size()]});
   return unassignedPattern(vertices, edges);
+}
+
+AssignedPattern twistTessellation(int tiles) {
+  const double lines[12][4] = {{1, 0, 0, 1},   {0, 1, -1, 0},  {-1, 0, 0, -1}, {0, -1, 1, 0},
+                               {1, 0, 3, 0},   {1, 0, 1, -3},  {0, -1, 0, -3}, {0, -1, -3, -1},
+                               {-1, 0, -3, 0}, {-1, 0, -1, 3}, {0, 1, 0, 3},   {0, 1, 3, 1}};
+  CreaseDrawing drawing;
+  for (int i = 0; i < tiles; ++i) {
+    for (int j = 0; j < tiles; ++j) {
+      const Vec2 middle{6.0 * i + 3, 6.0 * j + 3};
+      const Vec2 turn{i % 2 == 0 ? 1.0 : -1.0, j % 2 == 0 ? 1.0 : -1.0};
+      for (const double(&l)[4] : lines)
+        drawing.lines.push_back({middle + Vec2{turn.x * l[0], turn.y * l[1]},
+                                 middle + Vec2{turn.x * l[2], turn.y * l[3]},
+                                 Assignment::Unassigned, std::nullopt});
+    }
+  }
+  const double side = 6.0 * tiles;
+  const Vec2 corners[4] = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+  for (std::size_t i = 0; i < 4; ++i)
+    drawing.lines.push_back({corners[i], corners[(i + 1) % 4], Assignment::Border, std::nullopt});
+  return patternOf(drawing)->creases;
+}
+
+AssignedPattern windowPattern() {
+  CreaseDrawing drawing;
+  const auto addSquare = [&](Vec2 low, Vec2 high) {
+    const Vec2 corners[4] = {low, {high.x, low.y}, high, {low.x, high.y}};
+    for (std::size_t i = 0; i < 4; ++i)
+      drawing.lines.push_back({corners[i], corners[(i + 1) % 4], Assignment::Border, std::nullopt});
+  };
+  addSquare({0, 0}, {4, 4});
+  addSquare({0.5, 1}, {1.5, 2});
+  drawing.lines.push_back({{2, 0}, {2, 4}, Assignment::Valley, std::nullopt});
+  return patternOf(drawing)->creases;
 }
 
 void assign(AssignedPattern& creases, EdgeId edge, Assignment assignment) {

@@ -22,6 +22,11 @@ AssignedPattern plusPattern(double length);
 /// The square twist on [-3, 3]^2 (guide: 2.3).
 AssignedPattern squareTwist();
 
+/// tiles x tiles square twists of side 6, every other one mirrored so that their pleats meet.
+AssignedPattern twistTessellation(int tiles);
+/// A square of side 4 with a square hole of side 1 in its left half, folded along its middle.
+AssignedPattern windowPattern();
+
 /// Gives every crease of one edge of the list a mountain or valley.
 void assign(AssignedPattern& creases, EdgeId edge, Assignment assignment);
 

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "tests/core/flatfold/flat_patterns.h"
+#include "tests/support/random_steps.h"
 
 namespace kiri {
 namespace {
@@ -95,6 +97,124 @@ TEST(FoldedGround, PairsAreTheFacetsThatOverlap) {
   for (const AssignedPattern& creases : {test::squareTwist(), test::plusPattern(0.9),
                                          test::plusPattern(1.2), test::mapPattern(3, 3)})
     EXPECT_EQ(problemOf(creases).pairs, overlapsByHand(creases));
+}
+
+/// Moves every vertex that is not on the rim by up to `part` of the sheet along each axis.
+AssignedPattern shaken(AssignedPattern creases, double part, std::uint64_t seed) {
+  test::Random random(seed);
+  const double by = part * creases.pattern.tolerance.sheetSize();
+  for (Vec2& v : creases.pattern.vertices)
+    v = v + Vec2{random.between(-by, by), random.between(-by, by)};
+  return creases;
+}
+
+TEST(FoldedGround, ImpreciseDrawingsHaveTheSameRules) {
+  for (const AssignedPattern& creases :
+       {test::squareTwist(), test::plusPattern(0.9), test::mapPattern(4, 4), test::mapPattern(7, 1),
+        test::twistTessellation(3)}) {
+    const OrderProblem exact = problemOf(creases);
+    for (const double part : {1e-7, 1e-6, 1e-5, 5e-5}) {
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        SCOPED_TRACE(std::to_string(creases.pattern.facets.size()) + " facets, " +
+                     std::to_string(part) + ", seed " + std::to_string(seed));
+        const OrderProblem drawn = problemOf(shaken(creases, part, seed));
+        EXPECT_EQ(drawn.pairs, exact.pairs);
+        EXPECT_EQ(drawn.stacks.size(), exact.stacks.size());
+        EXPECT_EQ(drawn.same.size(), exact.same.size());
+        EXPECT_EQ(drawn.interleavings.size(), exact.interleavings.size());
+      }
+    }
+  }
+}
+
+/// The area of the cells, each as often as facets lie on it.
+double layeredArea(const FoldedGround& ground) {
+  double sum = 0;
+  for (const GroundCell& cell : ground.cells) {
+    double twice = 0;
+    for (std::size_t i = 0; i < cell.corners.size(); ++i)
+      twice += cross(ground.points[cell.corners[i]],
+                     ground.points[cell.corners[(i + 1) % cell.corners.size()]]);
+    sum += twice / 2 * static_cast<double>(cell.facets.size());
+  }
+  return sum;
+}
+
+FoldedGround groundOfPattern(const AssignedPattern& creases) {
+  const Result<FlatMap> map = flatMapOf(creases);
+  EXPECT_TRUE(map.isOk());
+  Result<GroundAndOrders> ground = overlapsOf(creases, *map);
+  EXPECT_TRUE(ground.isOk());
+  return std::move(ground->ground);
+}
+
+TEST(FoldedGround, LayersOfAllCellsAreThePaper) {
+  for (const AssignedPattern& creases :
+       {test::squareTwist(), test::plusPattern(1.2), test::mapPattern(5, 3),
+        test::twistTessellation(4), test::windowPattern()})
+    EXPECT_NEAR(layeredArea(groundOfPattern(creases)), areaOf(creases.pattern),
+                1e-9 * areaOf(creases.pattern));
+}
+
+/// A frame around a hole, folded along one line: the ground is a band with a hole in it, and a cell
+/// with a hole in it where a facet lies alone around it.
+TEST(FoldedGround, CellsMayHaveHoles) {
+  const AssignedPattern window = test::windowPattern();
+  const FoldedGround ground = groundOfPattern(window);
+  const OrderProblem problem = problemOf(window);
+  ASSERT_EQ(problem.facetCount, 2U);
+  EXPECT_EQ(problem.pairs.size(), 1U);
+  EXPECT_EQ(ground.cells.size(), 2U);
+}
+
+/// Two pieces of paper that lie on each other at rest do not exist; side by side they never meet.
+TEST(FoldedGround, PiecesLieApart) {
+  const std::vector<test::DrawnEdge> edges{
+      {0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2, EdgeKind::Hinge, 180}, {1, 4}, {4, 5}, {5, 2}};
+  std::vector<test::DrawnEdge> cut = edges;
+  cut[1].kind = EdgeKind::Cut;
+  const std::vector<Vec2> vertices{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {3, 0}, {3, 1}};
+  const OrderProblem problem = problemOf(test::unassignedPattern(vertices, cut));
+  EXPECT_EQ(problem.facetCount, 3U);
+  EXPECT_EQ(problem.pairs.size(), 1U);
+}
+
+/// A cross of creases with a slit along half of one of them: the slit ties nothing, and lets two
+/// quarters part that would otherwise fold together.
+TEST(FoldedGround, SlitsTieNothing) {
+  const OrderProblem whole = problemOf(test::mapPattern(2, 2));
+  AssignedPattern creases = test::mapPattern(2, 2);
+  EXPECT_EQ(whole.interleavings.size(), 2U);
+  for (std::size_t e = 0; e < creases.pattern.edges.size(); ++e) {
+    Edge& edge = creases.pattern.edges[e];
+    if (edge.kind != EdgeKind::Hinge) continue;
+    edge.kind = EdgeKind::Cut;
+    creases.assignments[e] = Assignment::Cut;
+    break;
+  }
+  const OrderProblem slit = problemOf(creases);
+  EXPECT_EQ(slit.pairs, whole.pairs);
+  EXPECT_EQ(slit.interleavings.size(), 1U);
+}
+
+TEST(FoldedGround, StopsWhenNobodyWantsItAnyMore) {
+  const AssignedPattern creases = test::twistTessellation(6);
+  const Result<FlatMap> map = flatMapOf(creases);
+  ASSERT_TRUE(map.isOk());
+  double last = -1;
+  ASSERT_TRUE(overlapsOf(creases, *map, [&](double part) {
+                EXPECT_GE(part, last);
+                EXPECT_LE(part, 1);
+                last = part;
+                return true;
+              }).isOk());
+  EXPECT_GT(last, 0.5);
+  for (const double until : {0.0, 0.2, 0.6}) {
+    const Result<GroundAndOrders> stopped =
+        overlapsOf(creases, *map, [&](double part) { return part < until; });
+    ASSERT_FALSE(stopped.isOk());
+    EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  }
 }
 
 }  // namespace
