@@ -17,6 +17,7 @@ void addExportCommand(CLI::App& app, Console& console, int& code);
 void addResolveCommand(CLI::App& app, Console& console, int& code);
 void addLeafCommand(CLI::App& app, Console& console, int& code);
 void addMeasureCommand(CLI::App& app, Console& console, int& code);
+void addGalleryCommand(CLI::App& app, Console& console, int& code);
 void addCheckCommand(CLI::App& app, Console& console, int& code);
 void addStatesCommand(CLI::App& app, Console& console, int& code);
 

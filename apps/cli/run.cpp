@@ -117,6 +117,7 @@ int parseAndRun(const std::vector<std::string>& arguments, Console& console) {
   addResolveCommand(app, console, code);
   addLeafCommand(app, console, code);
   addMeasureCommand(app, console, code);
+  addGalleryCommand(app, console, code);
   addCheckCommand(app, console, code);
   addStatesCommand(app, console, code);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
