@@ -202,6 +202,12 @@ Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId
   return next;
 }
 
+Result<FoldedState> unfoldOneByOne(const FoldedState& state, std::vector<FoldLineId> lines,
+                                   Movements* record, const Progress& progress) {
+  std::reverse(lines.begin(), lines.end());
+  return moveInAnyOrder(state, wantedOf(state, lines, true), record, progress);
+}
+
 Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
                                 GroupMotion motion, Movements* record, const Progress& progress) {
   const std::vector<Wanted> wanted = wantedOf(state, lines, false);

@@ -30,4 +30,10 @@ Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<Fold
                                 GroupMotion motion, Movements* record = nullptr,
                                 const Progress& progress = {});
 
+/// Unfolds the lines one after the other, each about its own axis, in an order that works, free of
+/// collision before colliding. Errors: NothingToDo, Locked - those of the first line that cannot
+/// move when none can; Cancelled.
+Result<FoldedState> unfoldOneByOne(const FoldedState& state, std::vector<FoldLineId> lines,
+                                   Movements* record = nullptr, const Progress& progress = {});
+
 }  // namespace kiri

@@ -122,10 +122,8 @@ class ModelMaking {
     made_.way = outcome->way;
     if (outcome->refused)
       made_.notes.push_back("the layer order of the file was not taken: " + *outcome->refused);
-    if (made_.way && *made_.way != PatternWay::Rigid) {
-      whole.notes = sentenceOf(*made_.way);
-      made_.notes.push_back(whole.notes);
-    }
+    if (made_.way) whole.notes = sentenceOf(*made_.way);
+    if (!whole.notes.empty()) made_.notes.push_back(whole.notes);
     for (const Collision& collision : outcome->state.collisions)
       made_.notes.push_back(collision.message);
     made_.model.steps.push_back(std::move(whole));

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fold/movement.h"
+#include "core/fold/group_motion.h"
 #include "core/fold/path_collisions.h"
 #include "core/layers/merge_orders.h"
 #include "core/layers/plane_view.h"
@@ -38,6 +38,17 @@ FoldLineId leadingLine(const FoldedState& state) {
   return FoldLineId(0);
 }
 
+/// True when every facet lies where it does in the other state.
+bool liesAs(const FoldedState& a, const FoldedState& b) {
+  for (std::size_t f = 0; f < a.poses.size(); ++f) {
+    for (const EdgeUse use : a.pattern.facets[f].border) {
+      const Vec2 p = a.pattern[startOf(a.pattern, use)];
+      if (distance(a.poses[f].apply(p), b.poses[f].apply(p)) > a.tolerance().match()) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 PatternMotion patternMotion(const FoldedState& flat, const FoldedState& folded,
@@ -60,6 +71,30 @@ PatternMotion patternMotion(const FoldedState& flat, const FoldedState& folded,
   return motion;
 }
 
+Movements foldingOneByOne(const FoldedState& flat, const FoldedState& folded,
+                          const Progress& progress) {
+  constexpr std::size_t kMostLines = 64;
+  constexpr std::size_t kMostFacets = 256;
+  if (folded.lines.size() > kMostLines || folded.pattern.facets.size() > kMostFacets) return {};
+  std::vector<FoldLineId> lines;
+  for (std::size_t i = 0; i < folded.lines.size(); ++i) lines.emplace_back(i);
+  Movements back;
+  const Result<FoldedState> open = unfoldOneByOne(folded, lines, &back, progress);
+  if (!open || open->collisions.size() > folded.collisions.size() || !liesAs(*open, flat))
+    return {};
+  Movements there;
+  std::shared_ptr<const FoldedState> start = std::make_shared<const FoldedState>(flat);
+  for (std::size_t i = back.size(); i-- > 0;) {
+    Turning turning = std::get<Turning>(back[i].how);
+    turning.motion.degrees = -turning.motion.degrees;
+    there.push_back({start, std::move(turning)});
+    const FoldedState end = stateDuring(there.back(), 1);
+    if (!liesAs(end, *back[i].start) || !haveSameOrder(end, *back[i].start)) return {};
+    start = back[i].start;
+  }
+  return there;
+}
+
 bool haveSameOrder(const FoldedState& a, const FoldedState& b) {
   for (const LayerSet& set : a.layers.sets()) {
     PlaneView view(a.pattern, a.poses, a.poseOf(set.upward.front()));
@@ -76,6 +111,7 @@ bool haveSameOrder(const FoldedState& a, const FoldedState& b) {
 std::string sentenceOf(PatternWay way) {
   switch (way) {
     case PatternWay::Rigid:
+    case PatternWay::OneByOne:
       return "";
     case PatternWay::MustBend:
       return "the paper must bend between the flat sheet and the folded state: no motion with "

@@ -112,7 +112,7 @@ class PatternFolding {
     directUnassigned(end_, targets_.assignments);
     takeLines();
     if (const std::optional<Collision> fault = faultOf(end_)) end_.collisions.push_back(*fault);
-    PatternOutcome outcome{end_, std::nullopt, std::nullopt, refused_};
+    PatternOutcome outcome{end_, std::nullopt, {}, refused_};
     if (request_.wantsMotion) addMotion(outcome);
     if (!goesOn(request_.progress, 1))
       return Error{ErrorCode::Cancelled, "the folding of the pattern was stopped", {}};
@@ -220,12 +220,14 @@ class PatternFolding {
   void addMotion(PatternOutcome& outcome) {
     if (!motion_) motion_ = patternMotion(flat_, end_, request_.progress);
     outcome.way = motion_->way;
-    if (motion_->way != PatternWay::Rigid || !motion_->end) return;
-    if (haveSameOrder(*motion_->end, end_)) {
-      outcome.movement = movementAlong(flat_, motion_->path, end_);
-    } else {
-      outcome.way = PatternWay::MeetsItself;
+    const bool isRigid = motion_->way == PatternWay::Rigid && motion_->end;
+    if (isRigid && haveSameOrder(*motion_->end, end_)) {
+      outcome.movements.push_back(movementAlong(flat_, motion_->path, end_));
+      return;
     }
+    if (isRigid) outcome.way = PatternWay::MeetsItself;
+    outcome.movements = foldingOneByOne(flat_, end_, request_.progress);
+    if (!outcome.movements.empty()) outcome.way = PatternWay::OneByOne;
   }
 
   FoldedState flat_;
@@ -262,7 +264,8 @@ Result<FoldedState> applyPattern(const FoldedState& state, const PatternStep& st
                                  Movements* record) {
   Result<PatternOutcome> outcome = foldPattern(state, step, {record != nullptr, {}, {}});
   if (!outcome) return outcome.error();
-  if (record != nullptr && outcome->movement) record->push_back(std::move(*outcome->movement));
+  if (record != nullptr)
+    record->insert(record->end(), outcome->movements.begin(), outcome->movements.end());
   return std::move(outcome->state);
 }
 

@@ -19,7 +19,7 @@ namespace kiri {
 struct PatternOutcome {
   FoldedState state;
   std::optional<PatternWay> way;       ///< of a folded one, where the motion was asked for
-  std::optional<Movement> movement;    ///< where the way is Rigid
+  Movements movements;                 ///< where the way is Rigid or OneByOne
   std::optional<std::string> refused;  ///< why the orders asked for were not taken
 };
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/model/apply.h"
 #include "core/model/replay.h"
@@ -128,6 +129,102 @@ TEST_P(FlatModels, FoldRigidlyAndSayNothingOfBending) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, FlatModels, testing::Values(0, 1, 2, 3));
+
+/// A map of columns x rows squares, every crease unassigned.
+AssignedPattern mapOf(int columns, int rows) {
+  const auto corner = [&](int c, int r) { return static_cast<std::size_t>(r * (columns + 1) + c); };
+  std::vector<Vec2> vertices;
+  std::vector<DrawnEdge> edges;
+  for (int r = 0; r <= rows; ++r) {
+    for (int c = 0; c <= columns; ++c) {
+      vertices.push_back({c * 20.0, r * 20.0});
+      const auto kind = [](bool isRim) { return isRim ? EdgeKind::Border : EdgeKind::Hinge; };
+      if (c > 0) edges.push_back({corner(c - 1, r), corner(c, r), kind(r == 0 || r == rows), 180});
+      if (r > 0)
+        edges.push_back({corner(c, r - 1), corner(c, r), kind(c == 0 || c == columns), 180});
+    }
+  }
+  AssignedPattern map = assignedPatternOf(drawnState(vertices, edges));
+  for (Assignment& a : map.assignments) {
+    if (a == Assignment::Valley) a = Assignment::Unassigned;
+  }
+  return map;
+}
+
+TEST(PatternModel, CreasesThatNobodyAssignedAreSolvedFor) {
+  const PatternModel model = made(mapOf(4, 3));
+  const FoldedState state = lastOf(model.model);
+  EXPECT_TRUE(isClean(state));
+  EXPECT_TRUE(orderViolations(state).empty()) << joined(orderViolations(state));
+  EXPECT_EQ(stepOf(model.model).creases[0].assignment, Assignment::Unassigned);
+}
+
+TEST(PatternModel, AMapIsFoldedLineByLine) {
+  const PatternModel model = made(mapOf(2, 2));
+  ASSERT_TRUE(model.way.has_value());
+  EXPECT_EQ(*model.way, PatternWay::OneByOne);
+  EXPECT_TRUE(model.notes.empty()) << model.notes.front();
+  const Timeline time = *Timeline::of(model.model);
+  ASSERT_EQ(time.movementsOf(0).size(), 2u);
+  EXPECT_TRUE(haveSameOrder(stateDuring(time.movementsOf(0).back(), 1), lastOf(model.model)));
+  EXPECT_TRUE(isClean(*stateBetween(model.model, 0.25)));
+}
+
+TEST(PatternModel, WherePaperMustBendItIsSaid) {
+  // The rabbit ears of a bird base hold each other: its facets are rigid flat and folded only.
+  const double r = 50 * (std::sqrt(2.0) - 1);
+  const std::vector<Vec2> v{{50, 50},      {0, 0},        {100, 0},  {100, 100}, {0, 100},
+                            {50, 0},       {100, 50},     {50, 100}, {0, 50},    {50, r},
+                            {100 - r, 50}, {50, 100 - r}, {r, 50}};
+  std::vector<DrawnEdge> edges;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    edges.push_back({1 + i, 5 + i, EdgeKind::Border});
+    edges.push_back({5 + i, 1 + next, EdgeKind::Border});
+    for (const std::size_t from : {std::size_t{0}, 1 + i, 1 + next, 5 + i})
+      edges.push_back({from, 9 + i, EdgeKind::Hinge, 180});
+    edges.push_back({0, 1 + i, EdgeKind::Hinge, 180});
+  }
+  AssignedPattern creases = assignedPatternOf(drawnState(v, edges));
+  for (Assignment& a : creases.assignments) {
+    if (a == Assignment::Valley) a = Assignment::Unassigned;
+  }
+  const PatternModel model = made(creases);
+  EXPECT_TRUE(isClean(lastOf(model.model)));
+  ASSERT_TRUE(model.way.has_value());
+  EXPECT_EQ(*model.way, PatternWay::MustBend);
+  ASSERT_EQ(model.notes.size(), 1u);
+  EXPECT_EQ(model.notes[0].rfind("the paper must bend", 0), 0u);
+  EXPECT_EQ(model.model.steps[0].notes, model.notes[0]);
+  EXPECT_TRUE(Timeline::of(model.model)->movementsOf(0).empty());
+}
+
+TEST(PatternModel, AWrongOrderIsACollisionNotARefusal) {
+  PatternModel model = made(miura(3, 3));
+  PatternStep& step = std::get<PatternStep>(model.model.steps[0].action);
+  std::swap(step.layers[0], step.layers[4]);
+  const FoldedState state = lastOf(model.model);
+  ASSERT_EQ(state.collisions.size(), 1u);
+  EXPECT_EQ(state.collisions[0].step, 1u);
+  EXPECT_EQ(state.collisions[0].moment, CollisionMoment::End);
+}
+
+TEST(PatternModel, LayersThatNameNoFacetAreRefusedWithAPlace) {
+  PatternModel model = made(miura(2, 2));
+  const FoldedState sheet = *replay(model.model)->start;
+  Step step = model.model.steps[0];
+  PatternStep& pattern = std::get<PatternStep>(step.action);
+  const PatternStep good = pattern;
+  pattern.layers.pop_back();
+  EXPECT_TRUE(failsWith(apply(sheet, step, 1), ErrorCode::NotFound, "leave out the facet at"));
+  pattern.layers.push_back(pattern.layers.front());
+  EXPECT_TRUE(failsWith(apply(sheet, step, 1), ErrorCode::BadValue, "twice"));
+  pattern.layers.back() = {-500, 0};
+  EXPECT_TRUE(failsWith(apply(sheet, step, 1), ErrorCode::NotFound, "no paper"));
+  pattern = good;
+  pattern.resting = Vec2{-500, 0};
+  EXPECT_TRUE(failsWith(apply(sheet, step, 1), ErrorCode::NotFound, "the facet that rests"));
+}
 
 TEST(PatternModel, OpensWithTheLayersThatWereFound) {
   const PatternModel model = made(miura(4, 4));
