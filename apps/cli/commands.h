@@ -20,5 +20,6 @@ void addMeasureCommand(CLI::App& app, Console& console, int& code);
 void addGalleryCommand(CLI::App& app, Console& console, int& code);
 void addCheckCommand(CLI::App& app, Console& console, int& code);
 void addStatesCommand(CLI::App& app, Console& console, int& code);
+void addConvertCommand(CLI::App& app, Console& console, int& code);
 
 }  // namespace kiri::cli

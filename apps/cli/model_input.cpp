@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/cli/pattern_import.h"
 #include "core/base/text.h"
 #include "core/model/timeline.h"
 #include "io/kiri_reader.h"
@@ -26,7 +27,7 @@ Result<ModelInput> modelFrom(Console& console, const InputText& text) {
 Result<ModelInput> loadModel(Console& console, const std::string& path) {
   const Result<InputText> text = readInput(console, path);
   if (!text.isOk()) return text.error();
-  return modelFrom(console, *text);
+  return isPattern(*text) ? modelFromPattern(console, *text) : modelFrom(console, *text);
 }
 
 namespace {

@@ -20,7 +20,8 @@ struct ModelInput {
   Model model;
 };
 
-/// Reads MODEL ("-": standard input) and prints what looks odd in it.
+/// Reads MODEL ("-": standard input) and prints what looks odd in it. A crease pattern becomes a
+/// model as kiri convert makes one.
 Result<ModelInput> loadModel(Console& console, const std::string& path);
 /// The same of a .kiri text that was read already.
 Result<ModelInput> modelFrom(Console& console, const InputText& text);

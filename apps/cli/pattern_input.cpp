@@ -6,42 +6,15 @@
 #include <utility>
 
 #include "apps/cli/model_input.h"
-#include "io/fold_writer.h"
+#include "core/model/pattern_model.h"
 
 namespace kiri::cli {
 
 namespace {
 
-/// Folds by 180 degrees whatever folds at all; says how many were meant otherwise.
-std::size_t flatten(AssignedPattern& creases) {
-  constexpr double kFold = 180;
-  std::size_t bent = 0;
-  for (Edge& edge : creases.pattern.edges) {
-    if (edge.kind != EdgeKind::Hinge || edge.angle == 0) continue;
-    const double flat = edge.angle > 0 ? kFold : -kFold;
-    bent += edge.angle == flat ? 0 : 1;
-    edge.angle = flat;
-  }
-  return bent;
-}
-
-Assignment meaningOf(const Edge& edge) {
-  switch (edge.kind) {
-    case EdgeKind::Border:
-      return Assignment::Border;
-    case EdgeKind::Tear:
-    case EdgeKind::Cut:
-      return Assignment::Cut;
-    case EdgeKind::Hinge:
-      break;
-  }
-  if (edge.angle == 0) return Assignment::Flat;
-  return edge.angle > 0 ? Assignment::Valley : Assignment::Mountain;
-}
-
 /// The creases of a state. Curved borders become polylines on the way.
 Result<RepairedPattern> creasesOf(const FoldedState& state, const Progress& progress) {
-  AssignedPattern creases = assignedPatternOf(state);
+  AssignedPattern creases = assignedPatternOf(state, true);
   const bool isStraight = std::none_of(state.pattern.edges.begin(), state.pattern.edges.end(),
                                        [](const Edge& edge) { return edge.isCurved(); });
   if (isStraight) return RepairedPattern{std::move(creases), {}, 0};
@@ -56,7 +29,7 @@ Result<PatternInput> modelCreases(Console& console, const InputText& text) {
   const auto state = loadState(console, *model, *last);
   if (!state.isOk()) return state.error();
   ProgressLine line(console, "reading");
-  Result<RepairedPattern> creases = creasesOf(asFolded(**state), line.progress());
+  Result<RepairedPattern> creases = creasesOf(**state, line.progress());
   if (!creases.isOk()) return creases.error();
   PatternInput input{model->name,
                      titleOf(*model),
@@ -67,23 +40,35 @@ Result<PatternInput> modelCreases(Console& console, const InputText& text) {
                      {},
                      0,
                      "mm"};
-  input.bentCreases = flatten(input.creases);
+  input.bentCreases = flattenAngles(input.creases);
   return input;
 }
 
 }  // namespace
 
-AssignedPattern assignedPatternOf(const FoldedState& state) {
-  AssignedPattern creases(state.pattern);
-  for (const Edge& edge : state.pattern.edges) creases.assignments.push_back(meaningOf(edge));
-  return creases;
+std::size_t flattenAngles(AssignedPattern& creases) {
+  constexpr double kFold = 180;
+  std::size_t bent = 0;
+  for (Edge& edge : creases.pattern.edges) {
+    if (edge.kind != EdgeKind::Hinge || edge.angle == 0) continue;
+    const double flat = edge.angle > 0 ? kFold : -kFold;
+    if (edge.angle != flat) ++bent;
+    edge.angle = flat;
+  }
+  return bent;
 }
 
 Result<PatternInput> loadPattern(Console& console, const std::string& path) {
   const Result<InputText> text = readInput(console, path);
   if (!text.isOk()) return text.error();
   if (!isPattern(*text)) return modelCreases(console, *text);
-  Result<PatternFile> file = readPattern(text->text, text->name);
+  Result<PatternInput> input = patternFrom(console, *text);
+  if (input.isOk()) input->bentCreases = flattenAngles(input->creases);
+  return input;
+}
+
+Result<PatternInput> patternFrom(Console& console, const InputText& text) {
+  Result<PatternFile> file = readPattern(text.text, text.name);
   if (!file.isOk()) return file.error();
   ProgressLine line(console, "reading");
   line.update(0);
@@ -92,11 +77,11 @@ Result<PatternInput> loadPattern(Console& console, const std::string& path) {
   Result<RepairedPattern> repaired = patternOf(file->drawing, options, line.progress());
   if (!repaired.isOk()) {
     Error error = repaired.error();
-    if (error.code != ErrorCode::Cancelled) error.message = text->name + ": " + error.message;
+    if (error.code != ErrorCode::Cancelled) error.message = text.name + ": " + error.message;
     return error;
   }
-  PatternInput input{text->name,
-                     file->title.empty() ? bareName(*text) : file->title,
+  PatternInput input{text.name,
+                     file->title.empty() ? bareName(text) : file->title,
                      nameOf(file->format),
                      std::nullopt,
                      std::move(repaired->creases),
@@ -105,7 +90,6 @@ Result<PatternInput> loadPattern(Console& console, const std::string& path) {
                      0,
                      file->mmPerUnit ? "mm" : "units"};
   input.file = std::move(*file);
-  input.bentCreases = flatten(input.creases);
   return input;
 }
 

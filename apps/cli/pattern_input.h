@@ -9,7 +9,6 @@
 #include "apps/cli/console.h"
 #include "apps/cli/input_text.h"
 #include "core/creases/repair.h"
-#include "core/paper/folded_state.h"
 #include "io/json_tree.h"
 #include "io/patterns/pattern_file.h"
 
@@ -27,14 +26,17 @@ struct PatternInput {
   std::string unit;                ///< "mm" or "units"
 };
 
+/// The crease pattern in a text, repaired. Angles are those of the file. Errors: BadFile;
+/// Cancelled.
+Result<PatternInput> patternFrom(Console& console, const InputText& text);
+
+/// Angles other than 0 and 180 degrees become 180; says how many.
+std::size_t flattenAngles(AssignedPattern& creases);
+
 /// Reads FILE ("-": standard input): a pattern in any format, or the creases of a .kiri model after
 /// its last step, each folded as it last was. Angles other than 0 and 180 degrees become 180.
 /// Errors: BadFile; Cancelled; those of the model's steps.
 Result<PatternInput> loadPattern(Console& console, const std::string& path);
-
-/// The creases of a state with what they are at its angles; edges, vertices and facets are those of
-/// the state.
-AssignedPattern assignedPatternOf(const FoldedState& state);
 
 /// Prints what was guessed and repaired as notes.
 void noteRepairs(Console& console, const PatternInput& input);

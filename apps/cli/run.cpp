@@ -15,7 +15,9 @@ namespace kiri::cli {
 namespace {
 
 constexpr const char* kFooter =
-    "MODEL is a .kiri file (docs/formats/kiri.md); - means standard input or output.\n"
+    "MODEL is a .kiri file (docs/formats/kiri.md), or a crease pattern (.fold, .cp, .opx, .svg, "
+    ".dxf),\n"
+    "which becomes a model as kiri convert makes one; - means standard input or output.\n"
     "Collisions are warnings: work goes on. Lengths are mm, angles degrees.\n\n"
     "Exit codes:\n"
     "  0   done\n"
@@ -34,6 +36,7 @@ constexpr const char* kFooter =
     "  kiri export leaf.kiri -o leaf.fold\n"
     "  kiri check crane.cp\n"
     "  kiri states crane.fold --count\n"
+    "  kiri convert crane.cp crane.kiri\n"
     "kiri COMMAND --help says more about each.";
 
 /// The subcommand that the arguments name; the program itself when they name none.
@@ -120,6 +123,7 @@ int parseAndRun(const std::vector<std::string>& arguments, Console& console) {
   addGalleryCommand(app, console, code);
   addCheckCommand(app, console, code);
   addStatesCommand(app, console, code);
+  addConvertCommand(app, console, code);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);

@@ -6,6 +6,7 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/output_format.h"
+#include "apps/cli/state_number.h"
 #include "apps/cli/states_output.h"
 #include "apps/cli/states_report.h"
 
@@ -28,18 +29,6 @@ struct StatesOptions {
   double time = 0;
 };
 
-bool isDecimal(const std::string& text) {
-  constexpr std::size_t kMostDigits = 10000;
-  return !text.empty() && text.size() <= kMostDigits &&
-         text.find_first_not_of("0123456789") == std::string::npos;
-}
-
-/// Decimal digits as a number; leading zeros mean nothing.
-StateCount numberOf(const std::string& digits) {
-  const std::size_t first = digits.find_first_not_of('0');
-  return first == std::string::npos ? StateCount(0) : StateCount(digits.substr(first));
-}
-
 Status checkUsage(const StatesOptions& options) {
   const int modes =
       (options.isCount ? 1 : 0) + (options.state.empty() ? 0 : 1) + (options.isAll ? 1 : 0);
@@ -49,7 +38,7 @@ Status checkUsage(const StatesOptions& options) {
   if (modes > 1) return wrong("--count, --state and --all ask for different things; choose one");
   if (options.isCount && !options.out.empty())
     return wrong("--count writes no states; leave -o out, or choose some with --state or --all");
-  if (!options.state.empty() && !isDecimal(options.state))
+  if (!options.state.empty() && !isStateNumber(options.state))
     return wrong("--state " + options.state + " is no number; states count from 0");
   if (options.limit > 0 && !options.isAll) return wrong("--limit goes with --all");
   constexpr double kMostMemory = 1 << 20;
@@ -91,7 +80,7 @@ Result<std::vector<ChosenState>> chooseStates(const StatesOptions& options,
   std::vector<ChosenState> out;
   if (!options.isAll) {
     if (options.state.empty()) return std::vector<ChosenState>{{"0", states.first()}};
-    const StateCount number = numberOf(options.state);
+    const StateCount number = stateNumber(options.state);
     Result<LayerValues> values =
         watch.part("searching state " + number.str(),
                    [&](const Progress& p) { return states.state(number, p); });

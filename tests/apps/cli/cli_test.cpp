@@ -93,8 +93,8 @@ TEST_F(Cli, ExplainsEveryCommandWithExamples) {
   EXPECT_EQ(kiri({"--help"}).code, kDone);
   EXPECT_TRUE(holds(kiri({"--help"}).out, "Exit codes:"));
   EXPECT_TRUE(holds(kiri({"--version"}).out, "KiriSim"));
-  for (const std::string command :
-       {"render", "sheet", "animate", "info", "steps", "export", "resolve", "check", "states"}) {
+  for (const std::string command : {"render", "sheet", "animate", "info", "steps", "export",
+                                    "resolve", "check", "states", "convert"}) {
     const Answer answer = kiri({command, "--help"});
     EXPECT_EQ(answer.code, kDone) << command;
     EXPECT_TRUE(holds(answer.out, "Examples:\n  kiri " + command)) << answer.out;
