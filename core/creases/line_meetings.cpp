@@ -18,7 +18,9 @@ namespace {
 /// A pattern of 100,000 creases has fewer meetings, whatever is drawn.
 constexpr std::size_t kMostMeetings = 3'000'000;
 /// Pairs that are looked at before a drawing counts as hatching.
-constexpr std::size_t kMostPairs = 1'000'000'000;
+constexpr std::size_t kMostPairs = 200'000'000;
+/// The same for pairs that are only measured.
+constexpr std::size_t kMostNearPairs = 50'000'000;
 
 Error hatching(std::optional<Vec2> place = std::nullopt) {
   Error error{ErrorCode::BadFile, {}, {}};
@@ -132,13 +134,13 @@ Result<LineMeetings> meetingsOf(const LineMap& map, double within, const Progres
   return MeetingFinder(map, within).find(progress);
 }
 
-Status visitNearPairs(const LineMap& map, double farthest,
-                      const std::function<void(std::uint32_t, double)>& see,
-                      const Progress& progress) {
+Result<bool> visitNearPairs(const LineMap& map, double farthest,
+                            const std::function<void(std::uint32_t, double)>& see,
+                            const Progress& progress) {
   std::size_t pairs = 0;
   const auto look = [&](const TreeLeaf& leaf) {
     pairs += leaf.points.size() * leaf.lines.size();
-    if (pairs > kMostPairs) return false;
+    if (pairs > kMostNearPairs) return false;
     for (const std::uint32_t point : leaf.points) {
       for (const std::uint32_t i : leaf.lines) {
         const MapLine& line = map.lines[i];
@@ -150,9 +152,8 @@ Status visitNearPairs(const LineMap& map, double farthest,
     return true;
   };
   const Status seen = visitLeaves(map, usedPoints(map), farthest, look, progress);
-  if (!seen) return seen;
-  if (pairs > kMostPairs) return hatching();
-  return seen;
+  if (!seen) return seen.error();
+  return pairs <= kMostNearPairs;
 }
 
 }  // namespace kiri

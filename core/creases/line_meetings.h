@@ -36,9 +36,10 @@ struct LineMeetings {
 Result<LineMeetings> meetingsOf(const LineMap& map, double within, const Progress& progress = {});
 
 /// Calls `see` for each used point and each line that does not end there but lies at most
-/// `farthest` away from it, in a fixed order. Errors as those of meetingsOf.
-Status visitNearPairs(const LineMap& map, double farthest,
-                      const std::function<void(std::uint32_t point, double distance)>& see,
-                      const Progress& progress = {});
+/// `farthest` away from it, in a fixed order. False when there would be too many such pairs: then
+/// some were seen. Errors: Cancelled.
+Result<bool> visitNearPairs(const LineMap& map, double farthest,
+                            const std::function<void(std::uint32_t point, double distance)>& see,
+                            const Progress& progress = {});
 
 }  // namespace kiri

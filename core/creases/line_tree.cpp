@@ -11,6 +11,9 @@ namespace {
 constexpr std::size_t kFewLines = 10;
 /// Deeper than medians ever need.
 constexpr int kDeepest = 60;
+/// Lines that may be copied into several boxes before no box is divided any more: bundles of long
+/// lines close together are parted by no box.
+constexpr std::size_t kMostCopies = 4'000'000;
 /// Boxes between two reports of progress.
 constexpr std::size_t kLeavesPerReport = 1024;
 
@@ -52,8 +55,9 @@ class TreeWalk {
   }
 
   /// Pushes the halves of a box; false when it is better looked into as it is.
-  bool divide(TreeLeaf& node, std::vector<TreeLeaf>& open) const {
-    if (node.lines.size() <= kFewLines || node.depth >= kDeepest) return false;
+  bool divide(TreeLeaf& node, std::vector<TreeLeaf>& open) {
+    if (node.lines.size() <= kFewLines || node.depth >= kDeepest || copies_ > kMostCopies)
+      return false;
     std::array<std::vector<double>, 2> middles;
     for (const std::uint32_t i : node.lines) {
       const Vec2 from = map_.from(map_.lines[i]);
@@ -75,7 +79,7 @@ class TreeWalk {
 
  private:
   bool divideAt(TreeLeaf& node, std::size_t axis, std::vector<double>& middles,
-                std::vector<TreeLeaf>& open) const {
+                std::vector<TreeLeaf>& open) {
     const auto median = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
     std::nth_element(middles.begin(), median, middles.end());
     const double at = *median;
@@ -95,6 +99,7 @@ class TreeWalk {
     const std::size_t n = node.lines.size();
     if (low.lines.size() == n || high.lines.size() == n) return false;
     if (low.lines.size() + high.lines.size() > n + n * 3 / 4) return false;
+    copies_ += low.lines.size() + high.lines.size() - n;
     for (const std::uint32_t p : node.points)
       (coordinate(map_.points[p], axis) < at ? low : high).points.push_back(p);
     open.push_back(std::move(high));
@@ -104,13 +109,14 @@ class TreeWalk {
 
   const LineMap& map_;
   double margin_;
+  std::size_t copies_ = 0;
 };
 
 }  // namespace
 
 Status visitLeaves(const LineMap& map, std::vector<std::uint32_t> points, double margin,
                    const std::function<bool(const TreeLeaf&)>& visit, const Progress& progress) {
-  const TreeWalk walk(map, margin);
+  TreeWalk walk(map, margin);
   const double all = static_cast<double>(std::max<std::size_t>(points.size(), 1));
   std::vector<TreeLeaf> open(1);
   open[0].points = std::move(points);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/creases/line_meetings.h"
+#include "core/creases/overlaps.h"
 #include "core/creases/repair_log.h"
 #include "core/creases/weld.h"
 
@@ -89,32 +90,43 @@ struct DrawnPrecision {
   bool isAnyMiss = false;       ///< even one too small to be among the misses
 };
 
-Result<DrawnPrecision> precisionOf(const LineMap& map, const RepairScale& scale, double farthest,
-                                   const Progress& progress) {
+/// The distances of points from lines up to `farthest`, which becomes less where there are too many
+/// of them.
+Status addDistances(DrawnPrecision& precision, const LineMap& map, const RepairScale& scale,
+                    double& farthest, const Progress& progress) {
+  constexpr double kNarrower = 64;
   const double least = kLeastTimes * scale.same;
-  DrawnPrecision precision{{}, {}, LengthClasses(least), false};
   const std::vector<bool> isLoose = looseEnds(map);
-  std::vector<double> nearest(map.points.size(), 2 * farthest);
-  const auto see = [&](std::uint32_t point, double distance) {
-    nearest[point] = std::min(nearest[point], distance);
-    if (distance > least) precision.all.add(distance);
-  };
-  if (const Status seen = visitNearPairs(map, farthest, see, progress); !seen) return seen.error();
-  for (std::size_t p = 0; p < nearest.size(); ++p) {
-    if (!isLoose[p] || nearest[p] <= scale.same || nearest[p] > farthest) continue;
-    precision.isAnyMiss = true;
-    if (nearest[p] > least) precision.misses.push_back(nearest[p]);
+  for (; farthest > scale.same; farthest /= kNarrower) {
+    precision.all = LengthClasses(least);
+    std::vector<double> nearest(map.points.size(), 2 * farthest);
+    const auto see = [&](std::uint32_t point, double distance) {
+      nearest[point] = std::min(nearest[point], distance);
+      if (distance > least) precision.all.add(distance);
+    };
+    const Result<bool> areAllSeen = visitNearPairs(map, farthest, see, progress);
+    if (!areAllSeen) return areAllSeen.error();
+    if (!*areAllSeen) continue;
+    for (std::size_t p = 0; p < nearest.size(); ++p) {
+      if (!isLoose[p] || nearest[p] <= scale.same || nearest[p] > farthest) continue;
+      precision.isAnyMiss = true;
+      if (nearest[p] > least) precision.misses.push_back(nearest[p]);
+    }
+    break;
   }
+  std::sort(precision.misses.begin(), precision.misses.end());
+  return std::monostate{};
+}
+
+void addLengths(DrawnPrecision& precision, const LineMap& map, const RepairScale& scale) {
   for (const MapLine& line : map.lines) {
     const double length = distance(map.from(line), map.to(line));
-    if (length <= least) continue;
+    if (length <= kLeastTimes * scale.same) continue;
     precision.lengths.push_back(length);
     precision.all.add(length);
   }
   precision.all.add(4 * scale.size);
-  std::sort(precision.misses.begin(), precision.misses.end());
   std::sort(precision.lengths.begin(), precision.lengths.end());
-  return precision;
 }
 
 /// The middle of a gap above half of the misses: wide by ratio, with few lines below.
@@ -142,20 +154,23 @@ double gapAbove(const DrawnPrecision& precision, double farthest) {
 Result<double> mergeDistanceOf(const std::vector<DrawnCrease>& lines, const RepairScale& scale,
                                const Progress& progress) {
   RepairLog ignored;
-  const LineMap map = weld(lines, {scale.size, scale.same, scale.same}, ignored);
+  LineMap map = weld(lines, {scale.size, scale.same, scale.same}, ignored);
+  dropOverlaps(map, ignored);
   if (map.lines.empty()) return scale.same;
-  const double farthest = kFarthestPart * scale.size;
-  const Result<DrawnPrecision> precision = precisionOf(map, scale, farthest, progress);
-  if (!precision) return precision.error();
+  double farthest = kFarthestPart * scale.size;
   const double least = kLeastTimes * scale.same;
-  if (!precision->misses.empty()) return std::max(gapAbove(*precision, farthest), least);
-  if (!precision->isAnyMiss) {
+  DrawnPrecision precision{{}, {}, LengthClasses(least), false};
+  const Status added = addDistances(precision, map, scale, farthest, progress);
+  if (!added) return added.error();
+  addLengths(precision, map, scale);
+  if (!precision.misses.empty()) return std::max(gapAbove(precision, farthest), least);
+  if (!precision.isAnyMiss) {
     const Result<LineMeetings> meetings = meetingsOf(map, scale.same, progress);
     if (!meetings) return meetings.error();
     if (meetings->touches.empty() && meetings->crossings.empty()) return scale.same;
   }
-  if (precision->lengths.empty()) return least;
-  const double shortest = precision->lengths.front();
+  if (precision.lengths.empty()) return least;
+  const double shortest = precision.lengths.front();
   const double between = std::min(std::sqrt(scale.same * shortest), shortest * kPartOfShortest);
   return std::max(least, std::min(between, farthest));
 }

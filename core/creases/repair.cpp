@@ -70,7 +70,12 @@ class DrawingRepair {
     if (!paper_.hasPaper()) {
       if (const Status outlined = addOutline(); !outlined) return outlined;
     }
-    if (const Status dropped = dropUseless(); !dropped) return dropped;
+    // What is left out may let lines be straight again that then meet others: look again.
+    for (bool isClean = false; !isClean;) {
+      const Result<bool> dropped = dropUseless();
+      if (!dropped) return dropped.error();
+      isClean = !*dropped;
+    }
     for (const std::uint32_t face : paper_.misfits) tellMisfit(face);
     return std::monostate{};
   }
@@ -116,7 +121,8 @@ class DrawingRepair {
   }
 
   /// Leaves out creases with one face on both sides, which divide nothing, and lines without paper.
-  Status dropUseless() {
+  /// Returns whether there were any.
+  Result<bool> dropUseless() {
     std::vector<bool> parted(map_.points.size(), false);
     std::vector<MapLine> kept;
     for (std::size_t i = 0; i < map_.lines.size(); ++i) {
@@ -134,15 +140,16 @@ class DrawingRepair {
       log_.add(hasPaper ? RepairKind::DroppedDangling : RepairKind::DroppedOutside,
                lerp(map_.from(line), map_.to(line), 0.5));
     }
-    if (kept.size() == map_.lines.size()) return std::monostate{};
+    if (kept.size() == map_.lines.size()) return false;
     map_.lines = std::move(kept);
     if (joinPieces(map_, parted, log_)) {
       // A line that was bent a hair at what is gone now is straight again.
       RepairLog ignored;
-      if (const Status split = splitLines(map_, scale_, ignored, progress_); !split) return split;
+      if (const Status split = splitLines(map_, scale_, ignored, progress_); !split)
+        return split.error();
     }
     findPaper();
-    return std::monostate{};
+    return true;
   }
 
   void tellMisfit(std::uint32_t face) {
