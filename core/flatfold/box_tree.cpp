@@ -69,18 +69,8 @@ BoxTree::Query::Query(const Segment2& segment, double reach)
     : box_(boxOf(segment)), from_(segment.from), normal_(perpendicular(segment.to - segment.from)) {
   box_.low = box_.low - Vec2{reach, reach};
   box_.high = box_.high + Vec2{reach, reach};
-  reach_ = reach * length(normal_);
-}
-
-bool BoxTree::Query::reaches(const Box& b) const {
-  if (b.low.x > box_.high.x || b.high.x < box_.low.x || b.low.y > box_.high.y ||
-      b.high.y < box_.low.y)
-    return false;
-  const Vec2 middle = (b.low + b.high) / 2 - from_;
-  const Vec2 half = (b.high - b.low) / 2;
-  return std::abs(dot(normal_, middle)) <=
-         reach_ + std::abs(normal_.x) * half.x + std::abs(normal_.y) * half.y +
-             kParallel * (std::abs(normal_.x) + std::abs(normal_.y)) * length(half);
+  // Rounding of long segments must not lose what touches them.
+  reach_ = (reach + kVanishing * (length(segment.from) + length(segment.to))) * length(normal_);
 }
 
 }  // namespace kiri

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "core/base/vec.h"
 #include "core/geometry/cubic.h"
+#include "core/geometry/tolerance.h"
 
 namespace kiri {
 
@@ -63,7 +65,15 @@ class BoxTree {
   class Query {
    public:
     Query(const Segment2& segment, double reach);
-    bool reaches(const Box& box) const;
+    bool reaches(const Box& b) const {
+      if (b.low.x > box_.high.x || b.high.x < box_.low.x || b.low.y > box_.high.y ||
+          b.high.y < box_.low.y)
+        return false;
+      const Vec2 middle = (b.low + b.high) * 0.5 - from_;
+      const Vec2 half = (b.high - b.low) * 0.5;
+      const double width = std::abs(normal_.x) * half.x + std::abs(normal_.y) * half.y;
+      return std::abs(dot(normal_, middle)) <= reach_ + width * (1 + kParallel);
+    }
 
    private:
     Box box_;
