@@ -7,6 +7,15 @@
 
 namespace kiri {
 
+namespace {
+
+/// Unknowns of parts that are searched without asking a solver first.
+constexpr std::size_t kSmall = 40;
+/// Lower bounds that are remembered at once.
+constexpr std::size_t kBoundsKept = 20000;
+
+}  // namespace
+
 const CountCache::Count* CountCache::find(const std::string& key) {
   const auto young = young_.find(key);
   if (young != young_.end()) return &young->second;
@@ -37,7 +46,8 @@ FormulaCounter::FormulaCounter(const OrderFormula& formula, const std::vector<st
       meter_(meter),
       unknownSeen_(formula.unknowns, 0),
       clauseSeen_(formula.clauses.size(), 0),
-      weights_(formula.unknowns, 0) {}
+      weights_(formula.unknowns, 0),
+      model_(first) {}
 
 std::optional<FormulaCounter::Count> FormulaCounter::count(const Count& limit) {
   const Count result = countParts(partsOfAll(), &limit);
@@ -56,6 +66,7 @@ std::optional<std::vector<std::uint8_t>> FormulaCounter::way(Count& number) {
   std::vector<std::uint8_t> values;
   if (isThere) values = search_.values();
   search_.takeBackTo(0);
+  decisions_.clear();
   if (meter_.isStopped()) return std::nullopt;
   return values;
 }
@@ -159,8 +170,18 @@ FormulaCounter::Count FormulaCounter::countPart(const Part& part, const Count* l
   appendAscending(key, part.unknowns);
   appendAscending(key, part.shortened);
   if (const Count* known = cache_.find(key)) return *known;
+  if (limit != nullptr) {
+    const auto known = atLeast_.find(key);
+    if (known != atLeast_.end() && known->second >= *limit) return known->second;
+  }
   Count count = countSplit(part, limit);
-  if (!meter_.isStopped() && (limit == nullptr || count < *limit)) cache_.keep(key, count);
+  if (meter_.isStopped()) return count;
+  if (limit == nullptr || count < *limit) {
+    cache_.keep(std::move(key), count);
+  } else {
+    if (atLeast_.size() == kBoundsKept) atLeast_.clear();
+    atLeast_.insert_or_assign(std::move(key), count);
+  }
   return count;
 }
 
@@ -181,10 +202,28 @@ FormulaCounter::Count FormulaCounter::countSplit(const Part& part, const Count* 
 FormulaCounter::Count FormulaCounter::countBranch(const Part& part, Term t, const Count* limit) {
   const std::size_t mark = search_.mark();
   Count count = 0;
-  if (search_.assume(t)) count = countParts(partsOfOpen(part.unknowns), limit);
+  decisions_.push_back(t);
+  // Small parts are sooner searched than asked about. What is above a branch has a way (else it
+  // would not have been entered), so have all other parts: a branch without one is this part's.
+  const bool isAsked = limit != nullptr && part.unknowns.size() > kSmall;
+  if (search_.assume(t) && (!isAsked || canGoOn())) {
+    count = countParts(partsOfOpen(part.unknowns), limit);
+  }
+  decisions_.pop_back();
   search_.takeBackTo(mark);
   meter_.spend(search_.takeSteps());
   return count;
+}
+
+/// Whether any way follows the branches taken.
+bool FormulaCounter::canGoOn() {
+  const bool isModel = std::all_of(decisions_.begin(), decisions_.end(),
+                                   [&](Term t) { return model_[unknownOf(t)] == ((t & 1) ^ 1); });
+  if (isModel) return true;
+  if (!solver_) solver_ = std::make_unique<FormulaSolver>(search_.formula(), meter_);
+  if (!solver_->solve(decisions_, first_).value_or(false)) return false;
+  model_ = solver_->found();
+  return true;
 }
 
 FormulaCounter::Count FormulaCounter::countParts(const std::vector<Part>& parts,
@@ -242,6 +281,7 @@ void FormulaCounter::goToPart(const Part& part, Count number) {
     t = opposite(t);
   }
   KIRI_CHECK(search_.assume(t), "a way that was counted is there");
+  decisions_.push_back(t);
   meter_.spend(search_.takeSteps());
   goTo(partsOfOpen(part.unknowns), number);
 }

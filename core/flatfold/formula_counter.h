@@ -3,12 +3,14 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/flatfold/formula_search.h"
+#include "core/flatfold/formula_solver.h"
 
 namespace kiri {
 
@@ -32,6 +34,8 @@ class CountCache {
 };
 
 /// A search tree in which open unknowns fall into parts that are counted by themselves, each once.
+/// Where only a limited number is wanted, branches without any way are found by a solver, so the
+/// first ways of formulas that nobody can count are walked.
 /// The tree, and with it the numbers of the ways, depends on the formula and on `first` alone:
 /// way 0 is `first`. Requires that `first` makes the formula true.
 class FormulaCounter {
@@ -69,6 +73,7 @@ class FormulaCounter {
   bool goTo(const std::vector<Part>& parts, Count& number);
   void goToPart(const Part& part, Count number);
   Term firstBranch(const Part& part) const;
+  bool canGoOn();
 
   FormulaSearch search_;
   const std::vector<std::uint8_t>& first_;
@@ -78,6 +83,10 @@ class FormulaCounter {
   std::vector<std::uint32_t> clauseSeen_;
   std::vector<std::uint32_t> weights_;  ///< by unknown, of the round it was seen in
   std::uint32_t round_ = 0;
+  std::unordered_map<std::string, Count> atLeast_;  ///< parts that have no fewer ways than this
+  std::vector<Term> decisions_;                     ///< the branches taken
+  std::vector<std::uint8_t> model_;                 ///< a way that was found last
+  std::unique_ptr<FormulaSolver> solver_;           ///< made when it is first asked
 };
 
 }  // namespace kiri

@@ -10,7 +10,9 @@
 
 #include "core/creases/repair.h"
 #include "core/flatfold/flat_folding.h"
+#include "core/flatfold/polish.h"
 #include "io/patterns/pattern_file.h"
+#include "tests/core/flatfold/sampled_check.h"
 
 namespace kiri::test {
 namespace {
@@ -82,6 +84,48 @@ TEST(KnownFiles, HaveTheKnownNumbersOfStates) {
     ++seen;
   }
   EXPECT_GT(seen, 200U);
+}
+
+/// A random state of a real pattern, made exact for the kernel; its number of facets when judged.
+std::size_t judgeState(const std::string& file) {
+  std::ifstream in(sharedPatterns() + file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  const Result<PatternFile> pattern = readPattern(text.str(), file);
+  if (!pattern) return 0;
+  const Result<RepairedPattern> repaired = patternOf(pattern->drawing);
+  if (!repaired || !isMeantFlat(repaired->creases)) return 0;
+  const Result<Polished> exact = polished(repaired->creases);
+  if (!exact) return 0;
+  Result<FlatFolding> folding = flatFold(exact->creases);
+  if (!folding || !folding->states.exist() || !folding->states.count().isOk()) return 0;
+  const StateCount total = folding->states.total();
+  for (const StateCount& number : {StateCount(0), StateCount(total / 3), StateCount(total - 1)}) {
+    const Result<LayerValues> values = folding->states.state(number);
+    EXPECT_TRUE(values.isOk());
+    EXPECT_FALSE(brokenRule(folding->states.problem(), *values).has_value()) << file;
+    const FoldedState state = foldedStateOf(folding->creases, folding->states.problem(), *values);
+    EXPECT_LE(stretchOf(state), state.tolerance().length()) << file;
+    const SampledCheck check = sampledCheck(state, 2, 1e-4);
+    EXPECT_TRUE(check.violations.empty())
+        << file << " state " << number << ": " << check.violations.front();
+    if (check.places < check.skipped) return 0;
+  }
+  return folding->creases.pattern.facets.size();
+}
+
+TEST(KnownFiles, StatesSatisfyAJudgeThatKnowsOnlyPlaces) {
+  const std::vector<KnownStates> files = usableFiles();
+  if (files.empty()) GTEST_SKIP() << "the shared patterns are not here";
+  const bool isAll = std::getenv("KIRI_ALL_PATTERNS") != nullptr;
+  std::size_t judged = 0;
+  std::size_t number = 0;
+  for (const KnownStates& known : files) {
+    if (!isReadToday(known.file)) continue;
+    if (!isAll && (known.facets > 300 || ++number % 8 != 0)) continue;
+    if (judgeState(known.file) > 0) ++judged;
+  }
+  EXPECT_GT(judged, isAll ? 250U : 20U);
 }
 
 }  // namespace
