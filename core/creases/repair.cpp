@@ -65,10 +65,10 @@ class DrawingRepair {
   Status run(const std::vector<DrawnCrease>& lines) {
     map_ = weld(lines, scale_, log_);
     dropOverlaps(map_, log_);
-    if (const Status split = splitLines(map_, scale_, log_, progress_); !split) return split;
+    if (Status split = splitLines(map_, scale_, log_, progress_); !split) return split;
     findPaper();
     if (!paper_.hasPaper()) {
-      if (const Status outlined = addOutline(); !outlined) return outlined;
+      if (Status outlined = addOutline(); !outlined) return outlined;
     }
     // What is left out may let lines be straight again that then meet others: look again.
     for (bool isClean = false; !isClean;) {
@@ -112,7 +112,7 @@ class DrawingRepair {
     // What lies on the hull becomes part of it: that is told above.
     RepairLog ignored;
     dropOverlaps(map_, ignored);
-    if (const Status split = splitLines(map_, scale_, ignored, progress_); !split) return split;
+    if (Status split = splitLines(map_, scale_, ignored, progress_); !split) return split;
     findPaper();
     if (paper_.hasPaper()) return std::monostate{};
     return Error{ErrorCode::BadFile,

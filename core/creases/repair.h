@@ -51,10 +51,12 @@ struct RepairedPattern {
 };
 
 /// The planar map that a drawing means. Paper is where the drawing's faces are; where it has none,
-/// what border lines enclose (a region inside a border inside paper is a hole). A clean drawing
-/// comes out with its coordinates bit by bit (but for scale 1 times themselves). Vertices stand in
-/// the order in which the edges come to them, edges in that of the lines. Cost: n log n for n lines
-/// that cross little. Errors: BadFile - no lines, nothing encloses paper (with what was found), too
+/// or some that its lines contradict, what border lines enclose (a region inside a border inside
+/// paper is a hole); where they enclose nothing, what cuts enclose, else all that lines enclose if
+/// every line has a part in it, else the convex hull of all lines. A clean drawing comes out with
+/// its coordinates bit by bit (but for scale 1 times themselves). Vertices stand in the order in
+/// which the edges come to them, edges in that of the lines. Cost: n log n for n lines that cross
+/// little. Errors: BadFile - no lines, nothing encloses paper (with what was found), too
 /// many crossings to be a pattern; Cancelled.
 Result<RepairedPattern> patternOf(const CreaseDrawing& drawing, const RepairOptions& options = {},
                                   const Progress& progress = {});

@@ -10,8 +10,8 @@ namespace kiri {
 namespace {
 
 /// Squares and products of larger or smaller numbers leave the range of doubles.
-constexpr double kLargest = std::numeric_limits<float>::max();
-constexpr double kSmallest = std::numeric_limits<float>::min();
+constexpr double kLargest = static_cast<double>(std::numeric_limits<float>::max());
+constexpr double kSmallest = static_cast<double>(std::numeric_limits<float>::min());
 
 bool isSound(Vec2 p) { return std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest; }
 

@@ -17,12 +17,10 @@ std::string told(const RepairedPattern& repaired) {
 
 /// Files whose counts differ, and why.
 bool isExplained(const std::string& file) {
-  // A crease lies on four lines of the border.
+  // A crease lies on four lines of the border; the known counts have one line twice, against Euler.
   if (file == "flat-folder/instagram/208_kei_General_Grievous.fold") return true;
-  // Two lines end inside facets; the outside is counted as a face.
-  if (file == "oriedita/oriedita_minimal.fold") return true;
-  // The shadow of a folded form.
-  return file == "edemaine-fold/diagonal-folded.fold";
+  // Two lines end inside facets and are left out; the known count of faces has the outside too.
+  return file == "oriedita/oriedita_minimal.fold";
 }
 
 TEST(KnownPatterns, HaveTheVerticesEdgesAndFacesThatAreKnown) {
@@ -30,9 +28,10 @@ TEST(KnownPatterns, HaveTheVerticesEdgesAndFacesThatAreKnown) {
   if (all.empty()) GTEST_SKIP() << "the shared patterns are not here";
   std::size_t seen = 0;
   for (const KnownPattern& known : all) {
-    for (const bool withFaces : {false, true}) {
-      const std::optional<CreaseDrawing> drawing = foldDrawing(known.file, withFaces);
-      if (!drawing) continue;
+    std::optional<CreaseDrawing> drawing = knownDrawing(known.file);
+    if (!drawing) continue;
+    for (const bool withFaces : {true, false}) {
+      if (!withFaces) drawing->faces.clear();
       const Result<RepairedPattern> repaired = patternOf(*drawing);
       if (!repaired) {
         ADD_FAILURE() << known.file << ": " << repaired.error().message;
@@ -47,7 +46,7 @@ TEST(KnownPatterns, HaveTheVerticesEdgesAndFacesThatAreKnown) {
       ++seen;
     }
   }
-  EXPECT_GT(seen, 700U);
+  EXPECT_GT(seen, 840U);
 }
 
 }  // namespace

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <sstream>
+
+#include "io/patterns/pattern_file.h"
 
 namespace kiri::test {
 namespace {
@@ -123,36 +124,13 @@ std::vector<KnownPattern> knownPatterns() {
   return result;
 }
 
-std::optional<CreaseDrawing> foldDrawing(const std::string& file, bool withFaces) {
-  if (file.size() < 5 || file.substr(file.size() - 5) != ".fold") return std::nullopt;
+std::optional<CreaseDrawing> knownDrawing(const std::string& file) {
   std::ifstream in(patternFolder() + file);
-  const nlohmann::json fold = nlohmann::json::parse(in, nullptr, false);
-  if (!fold.is_object()) return std::nullopt;
-  for (const std::string& name : fold.value("frame_classes", std::vector<std::string>{})) {
-    if (name == "foldedForm") return std::nullopt;
-  }
-  std::vector<Vec2> places;
-  for (const auto& p : fold.at("vertices_coords"))
-    places.push_back({p.at(0).get<double>(), p.at(1).get<double>()});
-  CreaseDrawing drawing;
-  const auto letters = fold.value("edges_assignment", std::vector<std::string>{});
-  for (const auto& e : fold.at("edges_vertices")) {
-    DrawnCrease line{places.at(e.at(0).get<std::size_t>()), places.at(e.at(1).get<std::size_t>()),
-                     Assignment::Unassigned, std::nullopt};
-    const std::size_t index = drawing.lines.size();
-    if (index < letters.size()) line.assignment = assignmentOf(letters[index]);
-    drawing.lines.push_back(line);
-  }
-  if (!withFaces || !fold.contains("faces_vertices")) return drawing;
-  for (const auto& face : fold.at("faces_vertices")) {
-    std::vector<Vec2> corners;
-    for (const auto& v : face) {
-      const std::size_t vertex = v.get<std::size_t>();
-      if (vertex < places.size()) corners.push_back(places[vertex]);
-    }
-    drawing.faces.push_back(corners);
-  }
-  return drawing;
+  std::stringstream text;
+  text << in.rdbuf();
+  const Result<PatternFile> read = readPattern(text.str(), file);
+  if (!read) return std::nullopt;
+  return read->drawing;
 }
 
 std::vector<std::string> mapViolations(const AssignedPattern& creases) {

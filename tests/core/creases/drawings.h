@@ -28,9 +28,8 @@ struct KnownPattern {
 /// Empty where the folder of shared patterns is not there.
 std::vector<KnownPattern> knownPatterns();
 
-/// The lines of a FOLD file as they stand in it (first frame), with its faces when `withFaces`.
-/// Nothing for files of other formats and for folded forms.
-std::optional<CreaseDrawing> foldDrawing(const std::string& file, bool withFaces);
+/// What a file of the shared patterns holds; nothing where its reader refuses it.
+std::optional<CreaseDrawing> knownDrawing(const std::string& file);
 
 /// A pattern as sorted lines "x,y x,y letter angle" with the places rounded to `step`, each line
 /// from its lower end: equal for equal maps, whatever the order and direction of lines.
