@@ -22,12 +22,12 @@ JsonValue indexOrNull(std::uint32_t value) {
   return value == MeshEdge::kNoFace ? JsonValue{} : integer(value);
 }
 
-struct Assignment {
+struct EdgeMeaning {
   const char* letter = "B";
   double angle = 0;
 };
 
-Assignment assignmentOf(const FoldedState& state, const MeshEdge& edge) {
+EdgeMeaning assignmentOf(const FoldedState& state, const MeshEdge& edge) {
   switch (edge.kind) {
     case MeshEdgeKind::Border:
       return {"B", 0};
@@ -56,7 +56,7 @@ void addEdges(JsonValue& frame, const FoldedState& state, const std::vector<Mesh
   JsonValue faces = JsonValue::array();
   JsonValue names = JsonValue::array();
   for (const MeshEdge& edge : edges) {
-    const Assignment assignment = assignmentOf(state, edge);
+    const EdgeMeaning assignment = assignmentOf(state, edge);
     vertices.items.push_back(jsonPair(integer(edge.from), integer(edge.to)));
     assignments.items.push_back(JsonValue::ofText(assignment.letter));
     angles.items.push_back(JsonValue::ofNumber(assignment.angle));

@@ -59,7 +59,7 @@ std::vector<Vec2> cornersOf(const SvgChain& chain, double within) {
   return corners;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+std::string countedParts(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
@@ -101,7 +101,7 @@ class SvgPatternMaker {
            "; what comes before was read");
     }
     if (document.styles->leftOut() > 0) {
-      note(counted(document.styles->leftOut(), "style rule was", "style rules were") +
+      note(countedParts(document.styles->leftOut(), "style rule was", "style rules were") +
            " left out: only selectors of element, class and id are understood");
     }
     tellLines();
@@ -114,16 +114,17 @@ class SvgPatternMaker {
   void note(std::string sentence) { file_.notes.push_back(std::move(sentence)); }
   void noteCount(std::size_t count, const std::string& one, const std::string& many,
                  const std::string& what) {
-    if (count > 0) note(counted(count, one, many) + " " + what);
+    if (count > 0) note(countedParts(count, one, many) + " " + what);
   }
 
   Error noLines() const {
     const SvgCounts& c = contents_.counts;
     return Error{ErrorCode::BadFile,
                  fileName_ + ": the drawing has no lines to fold (" +
-                     counted(c.filledOnly, "shape is", "shapes are") + " only filled, " +
-                     counted(c.hidden, "is", "are") + " hidden, " + counted(c.texts, "is", "are") +
-                     " text, " + counted(c.images, "is an image", "are images") +
+                     countedParts(c.filledOnly, "shape is", "shapes are") + " only filled, " +
+                     countedParts(c.hidden, "is", "are") + " hidden, " +
+                     countedParts(c.texts, "is", "are") + " text, " +
+                     countedParts(c.images, "is an image", "are images") +
                      "); draw creases as strokes: mountains red, valleys blue, the border black"};
   }
 
@@ -147,8 +148,8 @@ class SvgPatternMaker {
 
   void tellLines() {
     if (curves_ > 0) {
-      note(counted(curves_, "curve", "curves") + " became " +
-           counted(pieces_, "straight line", "straight lines") + ", nowhere farther than " +
+      note(countedParts(curves_, "curve", "curves") + " became " +
+           countedParts(pieces_, "straight line", "straight lines") + ", nowhere farther than " +
            text(within_) + " units from it");
     }
     noteCount(partial_, "line folds", "lines fold",
@@ -175,7 +176,7 @@ class SvgPatternMaker {
         rest += colour.count;
         continue;
       }
-      note(counted(colour.count, "line", "lines") + " in " + name + " read as " +
+      note(countedParts(colour.count, "line", "lines") + " in " + name + " read as " +
            wordFor(colour.assignment) + ", whose colour is nearest");
     }
     noteCount(rest, "line", "lines", "in other colours read by the nearest colour");
@@ -194,7 +195,7 @@ class SvgPatternMaker {
     const bool isSame = !faces.isEmpty() && distance(faces.box().low, lines_.box().low) < slack &&
                         distance(faces.box().high, lines_.box().high) < slack;
     if (hasBorder_ || !isSame) {
-      note(counted(count, "filled shape", "filled shapes") + " without a stroke left out");
+      note(countedParts(count, "filled shape", "filled shapes") + " without a stroke left out");
       return;
     }
     for (const SvgChain& chain : contents_.filled) {
@@ -205,7 +206,8 @@ class SvgPatternMaker {
       for (const Vec2 p : corners) face.push_back(mirrored(p));
     }
     note("no line is a border: the paper is where " +
-         counted(count, "filled shape without a stroke is", "filled shapes without a stroke are"));
+         countedParts(count, "filled shape without a stroke is",
+                      "filled shapes without a stroke are"));
   }
 
   void tellLeftOut() {

@@ -220,7 +220,7 @@ std::vector<std::string_view> svgClasses(std::string_view text) {
   return found;
 }
 
-void SvgStyleSheet::add(std::string text) {
+void SvgStyleSheet::add(const std::string& text) {
   texts_.push_back(std::make_unique<std::string>(withoutComments(text)));
   addRules(*texts_.back());
 }

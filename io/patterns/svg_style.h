@@ -35,7 +35,7 @@ class SvgStyleSheet {
   SvgStyleSheet(const SvgStyleSheet&) = delete;
   SvgStyleSheet& operator=(const SvgStyleSheet&) = delete;
 
-  void add(std::string text);
+  void add(const std::string& text);
   /// Rules left out: at-rules, selectors of another kind.
   std::size_t leftOut() const { return leftOut_; }
 

@@ -9,13 +9,14 @@
 
 #include "core/geometry/cubic.h"
 #include "io/json_tree.h"
+#include "io/patterns/losses.h"
 #include "io/svg_looks.h"
 
 namespace kiri {
 
 namespace {
 
-char letterOf(Assignment assignment) {
+char svgLetterOf(Assignment assignment) {
   constexpr std::string_view kLetters = "BMVFUCJ";
   return kLetters[static_cast<std::size_t>(assignment)];
 }
@@ -82,7 +83,7 @@ class SvgDrawing {
   void group(const SvgLineLook& look) {
     bool isOpen = false;
     for (const DrawnCrease& line : file_.drawing.lines) {
-      if (letterOf(line.assignment) != look.letter) continue;
+      if (svgLetterOf(line.assignment) != look.letter) continue;
       if (!isOpen) out_ += svgGroupTag(look, strokeWidth_);
       isOpen = true;
       add(line, look.letter);
@@ -111,23 +112,11 @@ class SvgDrawing {
 }  // namespace
 
 WrittenPattern writeSvgDrawing(const PatternFile& file) {
-  WrittenPattern written{SvgDrawing(file).text(), {}};
-  const CreaseDrawing& drawing = file.drawing;
-  if (!drawing.orders.empty()) {
-    written.losses.push_back("SVG has no layer orders: " + std::to_string(drawing.orders.size()) +
-                             " of the folded state are lost");
-  }
-  const bool hasBorder =
-      std::any_of(drawing.lines.begin(), drawing.lines.end(),
-                  [](const DrawnCrease& line) { return line.assignment == Assignment::Border; });
-  if (!drawing.faces.empty() && !hasBorder) {
-    written.losses.push_back("SVG has no faces: which of " + std::to_string(drawing.faces.size()) +
-                             " regions are paper is lost, for no line is a border");
-  }
-  if (!file.unknown.empty()) {
-    written.losses.emplace_back("SVG has no place for keys of other programs: they are lost");
-  }
-  return written;
+  FormatRoom room;
+  room.name = "SVG";
+  room.hasAngles = room.hasFlat = room.hasUnassigned = room.hasCuts = room.hasJoins = true;
+  room.hasTitle = room.hasAuthor = room.hasDescription = room.hasUnit = true;
+  return {SvgDrawing(file).text(), lossesOf(file, room)};
 }
 
 }  // namespace kiri

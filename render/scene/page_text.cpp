@@ -12,9 +12,9 @@ namespace kiri {
 namespace {
 
 /// Of the height, a letter of common fonts with what follows it.
-constexpr double kLetterWidth = 0.56;
+constexpr double kLetterPart = 0.56;
 
-std::size_t lettersIn(const std::string& text) {
+std::size_t countLetters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // no further byte of a letter
   }));
@@ -32,7 +32,7 @@ Box common(const Box& a, const Box& b) {
 }  // namespace
 
 double widthOf(const std::string& text, double height) {
-  return static_cast<double>(lettersIn(text)) * kLetterWidth * height;
+  return static_cast<double>(countLetters(text)) * kLetterPart * height;
 }
 
 std::vector<std::string> wrapped(const std::string& text, double height, double width) {
@@ -43,7 +43,9 @@ std::vector<std::string> wrapped(const std::string& text, double height, double 
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
     at = end + 1;
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    if (!longer.empty()) longer += ' ';
+    longer += word;
     if (!line.empty() && widthOf(longer, height) > width) {
       lines.push_back(line);
       line = word;

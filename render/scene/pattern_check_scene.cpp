@@ -182,7 +182,7 @@ class CheckMarks {
 }  // namespace
 
 std::string labelOf(const AssignedPattern& creases, const VertexFault& fault) {
-  const std::string name = kRuleNames[static_cast<std::size_t>(fault.rule)];
+  std::string name = kRuleNames[static_cast<std::size_t>(fault.rule)];
   const MountainsAndValleys folds = foldsAround(creases, fault.vertex);
   switch (fault.rule) {
     case VertexRule::EvenDegree:

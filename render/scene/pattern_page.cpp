@@ -11,7 +11,7 @@
 namespace kiri {
 namespace {
 
-constexpr double kTitleHeight = 5;
+constexpr double kHeadingHeight = 5;
 constexpr double kLineStep = 1.5 * kWordHeight;
 constexpr double kIndent = 5;  // mm, of the words behind a sign
 constexpr double kNarrowest = 90;
@@ -35,7 +35,7 @@ Appearance paledFor(const Appearance& appearance) {
 PatternPage::PatternPage(Vec2 pictures, std::vector<LegendLine> legend,
                          const PatternCheckOptions& options)
     : pictures_(pictures), title_(options.title), margin_(options.margin) {
-  const double inner = std::max({pictures.x, kNarrowest, widthOf(title_, kTitleHeight)});
+  const double inner = std::max({pictures.x, kNarrowest, widthOf(title_, kHeadingHeight)});
   width_ = inner + 2 * margin_;
   if (!options.verdict.empty()) legend.insert(legend.begin(), LegendLine{{}, options.verdict, {}});
   for (const LegendLine& line : legend) {
@@ -48,7 +48,7 @@ PatternPage::PatternPage(Vec2 pictures, std::vector<LegendLine> legend,
   }
   const double below = static_cast<double>(legend_.size()) * kLineStep;
   corner_ = {margin_ + (inner - pictures.x) / 2, margin_ + below + (below > 0 ? margin_ : 0)};
-  height_ = corner_.y + pictures.y + margin_ + (title_.empty() ? 0 : kTitleHeight * 1.6);
+  height_ = corner_.y + pictures.y + margin_ + (title_.empty() ? 0 : kHeadingHeight * 1.6);
 }
 
 Scene PatternPage::scene(std::vector<Group> groups) const {
@@ -67,9 +67,9 @@ Group PatternPage::legendGroup() const {
   Group group{"legend", "legend", {}, {}};
   if (!title_.empty()) {
     TextItem item;
-    item.at = {width_ / 2, height_ - margin_ - kTitleHeight * 0.8};
+    item.at = {width_ / 2, height_ - margin_ - kHeadingHeight * 0.8};
     item.text = title_;
-    item.height = kTitleHeight;
+    item.height = kHeadingHeight;
     item.anchor = TextAnchor::Middle;
     group.items.push_back({item, "title", "", {}});
   }
