@@ -34,8 +34,8 @@ Box boxAt(Vec2 p) { return {p, p}; }
 class Divider {
  public:
   Divider(const std::vector<Vec2>& points, const std::vector<std::array<std::uint32_t, 2>>& lines,
-          double within)
-      : within_(within) {
+          double within, std::size_t most)
+      : within_(within), most_(most) {
     const Clusters clusters = clustersOf(points, within);
     points_ = clusters.middles;
     noteMoves(points, clusters);
@@ -52,10 +52,15 @@ class Divider {
         if (!splitsAtCrossings(splits)) return false;
         if (splits.empty()) return true;
       }
+      if (pieces_.size() + splits.size() > most_) hasTooMany_ = true;
+      if (hasTooMany_) return false;
       apply(splits);
     }
     return false;
   }
+
+  std::size_t pieceCount() const { return pieces_.size(); }
+  bool hasTooMany() const { return hasTooMany_; }
 
   std::optional<Arrangement> result() const {
     Arrangement made;
@@ -179,7 +184,7 @@ class Divider {
       tree.near(a, 0, [&](std::uint32_t item) {
         const std::uint32_t j = alive[item];
         const bool isOld = j < piecesCrossed_;
-        if ((isOld || j > i) && doCross(i, j)) found.push_back({i, j});
+        if (found.size() <= most_ && (isOld || j > i) && doCross(i, j)) found.push_back({i, j});
       });
     }
     piecesCrossed_ = pieces_.size();
@@ -199,6 +204,8 @@ class Divider {
   bool splitsAtCrossings(std::vector<Split>& splits) {
     const std::vector<Meeting> meetings = crossings();
     if (meetings.empty()) return true;
+    hasTooMany_ = meetings.size() > most_;
+    if (hasTooMany_) return false;
     std::vector<Vec2> places;
     for (const Meeting& m : meetings) {
       const Segment2 a = segmentOf(m.first);
@@ -262,6 +269,8 @@ class Divider {
   }
 
   double within_;
+  std::size_t most_;  ///< pieces
+  bool hasTooMany_ = false;
   double farthest_ = 0;
   std::vector<Vec2> points_;
   std::vector<Piece> pieces_;
@@ -278,9 +287,11 @@ class Divider {
 
 std::optional<Arrangement> arrange(const std::vector<Vec2>& points,
                                    const std::vector<std::array<std::uint32_t, 2>>& lines,
-                                   double within) {
-  Divider divider(points, lines, within);
-  if (!divider.divide()) return std::nullopt;
+                                   double within, std::size_t& piecesLeft) {
+  Divider divider(points, lines, within, piecesLeft);
+  const bool isDone = divider.divide();
+  piecesLeft = divider.hasTooMany() ? 0 : piecesLeft - std::min(piecesLeft, divider.pieceCount());
+  if (!isDone) return std::nullopt;
   return divider.result();
 }
 

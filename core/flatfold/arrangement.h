@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -23,10 +24,12 @@ struct Arrangement {
 
 /// Divides lines between points so that points within `within` of a line lie on it, points within
 /// `within` of each other are one, and lines that cross share a point. Lines whose ends became one
-/// have no pieces. None when it does not come to an end: `within` is of the size of what is drawn.
+/// have no pieces. None when it does not come to an end, `within` being of the size of what is
+/// drawn, or when it would take more pieces than `piecesLeft`, which is lowered by those made and
+/// is 0 then.
 std::optional<Arrangement> arrange(const std::vector<Vec2>& points,
                                    const std::vector<std::array<std::uint32_t, 2>>& lines,
-                                   double within);
+                                   double within, std::size_t& piecesLeft);
 
 /// The least distance of a point from a piece that does not end there, or `most` when none is
 /// nearer.

@@ -23,6 +23,11 @@ constexpr double kCoarsestPart = 4;
 /// it is no matter of chance. When there is none, less room must do.
 constexpr int kRooms[] = {4, 2, 1};
 
+/// Pieces that all trials together may make, and more for each line: drawings whose folds do not
+/// close within their own precision crumble into ever more. Real ones need two for a line.
+constexpr std::size_t kMostPieces = 400000;
+constexpr std::size_t kMorePieces = 20;
+
 /// The ground as one distance divides it.
 struct Trial {
   double within = 0;
@@ -52,6 +57,7 @@ class Trials {
       if (line > 0) shortest = std::min(shortest, line);
       total_ += line;
     }
+    piecesLeft_ = kMostPieces + kMorePieces * lines.ends.size();
     coarsest_ = shortest / kCoarsestPart;
     finest_ = std::min(tolerance.length(), coarsest_ / kCoarsestPart);
     // Where no loop of hinges says how precise the drawing is, the usual precision is expected.
@@ -59,7 +65,7 @@ class Trials {
   }
 
   /// None when all distances fail.
-  std::optional<Trial> best(const Progress& progress, bool& wasCancelled) const {
+  std::optional<Trial> best(const Progress& progress, bool& wasCancelled) {
     const NearMisses misses(lines_, finest_, 2 * coarsest_);
     double part = 0;
     for (const int room : kRooms) {
@@ -71,14 +77,16 @@ class Trials {
           return std::nullopt;
         }
         if (std::optional<Trial> trial = tryWithin(within, room)) return trial;
+        if (piecesLeft_ == 0) return std::nullopt;
       }
     }
     return std::nullopt;
   }
 
  private:
-  std::optional<Trial> tryWithin(double within, double room) const {
-    std::optional<Arrangement> arrangement = arrange(lines_.points, lines_.ends, within);
+  std::optional<Trial> tryWithin(double within, double room) {
+    std::optional<Arrangement> arrangement =
+        arrange(lines_.points, lines_.ends, within, piecesLeft_);
     if (!arrangement || arrangement->farthest * room > within) return std::nullopt;
     const double most = room * within;
     if (room > 1 && clearanceOf(*arrangement, most) < most) return std::nullopt;
@@ -108,6 +116,7 @@ class Trials {
   double coarsest_ = 0;
   double finest_ = 0;
   double noise_ = 0;
+  std::size_t piecesLeft_ = 0;
 };
 
 FoldedGround groundOf(Trial& trial) {

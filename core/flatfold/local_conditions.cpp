@@ -108,9 +108,9 @@ class VertexCheck {
       const std::string must = run.length == 1 ? "one must be a mountain, the other a valley"
                                : isOdd         ? "they must be as many mountains as valleys"
                                                : "mountains and valleys must differ by one";
-      add(VertexRule::BigLittleBig, missOf(counts, isOdd ? 0 : 1),
-          "at " + place_ + " " + angles + ", but its creases are " + foldsText(counts) + "; " +
-              must);
+      std::string message = "at " + place_ + " " + angles;
+      message += ", but its creases are " + foldsText(counts) + "; " + must;
+      add(VertexRule::BigLittleBig, missOf(counts, isOdd ? 0 : 1), std::move(message));
       return;
     }
   }

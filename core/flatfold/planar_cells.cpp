@@ -113,7 +113,7 @@ class Tracing {
   }
 
   std::size_t expectedCycles() const {
-    return a_.pieces.size() + 2 * componentCount_ - pointCount_;
+    return a_.pieces.size() + std::size_t{2} * componentCount_ - pointCount_;
   }
 
   /// Gives each rim the cell that its component lies in: 0, or the cell left of which a ray towards
