@@ -18,12 +18,13 @@ Session::~Session() = default;
 
 const Document& Session::document() const { return parts_->document; }
 
-void Session::open(Document document) {
+void Session::open(Document document, PatternReport report) {
   parts_->queue.cancel();
   parts_->dropGesture();
   parts_->committing.reset();
   parts_->selection.clear();
   parts_->document = std::move(document);
+  parts_->pattern.setReport(std::move(report));
   parts_->say(Notice::Kind::None, {});
   parts_->changed.selection = true;
   parts_->documentChanged();
@@ -165,8 +166,24 @@ Marks Session::marks() const {
     add(marksOf(show.collisions));
   }
   add(marksOf(parts_->witness, state));
+  add(parts_->pattern.marks(parts_->navigation.sheet.map()));
   add(parts_->guide);
   return marks;
+}
+
+PatternDesk& Session::pattern() { return parts_->pattern; }
+
+void Session::lookAt(const PatternEntry& entry) {
+  parts_->pattern.point(entry);
+  const std::vector<Vec2> places = parts_->pattern.places(entry);
+  if (places.empty()) return;
+  Box box{places.front(), places.front()};
+  for (const Vec2 place : places) box = joined(box, Box{place, place});
+  SheetCamera& sheet = parts_->navigation.sheet;
+  const PaneMap map = sheet.map();
+  const Vec2 middle = (box.low + box.high) / 2;
+  sheet.pan(map.size / 2 - map.toPixels(Vec3{middle.x, middle.y, 0}));
+  viewChanged();
 }
 
 void Session::setGuide(Marks guide) {

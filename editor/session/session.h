@@ -15,6 +15,8 @@
 #include "editor/document/document.h"
 #include "editor/motion/fold_sliders.h"
 #include "editor/motion/player.h"
+#include "editor/session/notice.h"
+#include "editor/session/pattern_desk.h"
 #include "editor/session/shown.h"
 #include "editor/tools/tool.h"
 #include "editor/view/camera.h"
@@ -30,14 +32,7 @@ struct Changed {
   bool tool = false;      ///< another tool
   bool busy = false;      ///< long work began or ended
   bool selection = false;
-};
-
-/// The sentence for the status bar after something happened, and how grave it is.
-struct Notice {
-  enum class Kind { None, Done, Warning, Refused };
-  Kind kind = Kind::None;
-  Phrase text;      ///< of the editor; translated
-  std::string why;  ///< the kernel's sentence
+  bool pattern = false;  ///< what is known of the crease pattern
 };
 
 /// The size of what lies there, for the status bar.
@@ -58,7 +53,8 @@ class Session {
 
   // The document.
   const Document& document() const;
-  void open(Document document);                    ///< replaces what is open
+  /// Replaces what is open. `report`: of the import, when it was a pattern of another program.
+  void open(Document document, PatternReport report = {});
   void change(Change change, const Phrase& what);  ///< computed beside the window, in order
   void undo();
   void redo();
@@ -99,6 +95,11 @@ class Session {
   Marks marks() const;
   /// Drawn over all else until it is another: the hand of a guided tour.
   void setGuide(Marks guide);
+
+  // The crease pattern of the model.
+  PatternDesk& pattern();
+  /// Marks what the entry is about and moves the sheet so that it is seen.
+  void lookAt(const PatternEntry& entry);
 
   // Sliders.
   std::vector<FoldSlider> sliders() const;

@@ -58,9 +58,23 @@ Session::Parts::Parts(TaskRunner& taskRunner, std::function<void(const Changed&)
                tell();
              }),
       queue(taskRunner, [this]() -> const History& { return document.history(); }),
+      pattern(taskRunner, patternHost()),
       playerTask(taskRunner),
       factsTask(taskRunner) {
   documentChanged();
+}
+
+PatternDesk::Host Session::Parts::patternHost() {
+  return {[this](Change change, Phrase what) { ask(std::move(change), what, false); },
+          [this](Notice::Kind kind, Phrase text, std::string why) {
+            say(kind, std::move(text), std::move(why));
+            tell();
+          },
+          [this] {
+            changed.pattern = true;
+            changed.marks = true;
+            tell();
+          }};
 }
 
 Tool& Session::Parts::tool() {
@@ -101,6 +115,7 @@ void Session::Parts::react(const Reaction& reaction) {
     selection = *reaction.selection;
     changed.selection = true;
   }
+  if (reaction.wish) pattern.bringOnTop(*reaction.wish);
   if (reaction.wantsCommit) {
     const std::optional<Proposal> now = proposal();
     if (!now || !now->isComplete) return refreshProposal();
@@ -180,6 +195,7 @@ void Session::Parts::documentChanged() {
   const FoldedState& state = *document.state();
   countFacts();
   keepInSight(state);
+  pattern.look(document);
   refreshProposal();
 }
 

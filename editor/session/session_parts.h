@@ -10,6 +10,7 @@
 
 #include "editor/session/change_queue.h"
 #include "editor/session/navigation.h"
+#include "editor/session/pattern_desk.h"
 #include "editor/session/previewer.h"
 #include "editor/session/session.h"
 #include "editor/session/slide_desk.h"
@@ -37,6 +38,7 @@ struct Session::Parts {
   Previewer previewer;
   SlideDesk slides;
   ChangeQueue queue;
+  PatternDesk pattern;
   bool commitsWhenKnown = false;                  ///< Enter came before the preview
   std::shared_ptr<const FoldedState> committing;  ///< shown until the change has ended
 
@@ -49,6 +51,7 @@ struct Session::Parts {
   Shown shown;
   Marks guide;
 
+  PatternDesk::Host patternHost();
   Tool& tool();
   Scope scope() const;
   std::optional<Proposal> proposal();

@@ -12,6 +12,7 @@
 #include "editor/tools/straight_cut_tool.h"
 #include "editor/tools/tear_tool.h"
 #include "editor/tools/tool.h"
+#include "editor/tools/top_layer_tool.h"
 
 namespace kiri {
 
@@ -37,6 +38,8 @@ std::unique_ptr<Tool> makeTool(ToolId tool) {
       return std::make_unique<SelectTool>();
     case ToolId::Measure:
       return std::make_unique<MeasureTool>();
+    case ToolId::TopLayer:
+      return std::make_unique<TopLayerTool>();
   }
   failCheck("every tool has a class", __FILE__, __LINE__);
 }

@@ -10,6 +10,7 @@
 #include "editor/base/events.h"
 #include "editor/base/field.h"
 #include "editor/base/phrase.h"
+#include "editor/tools/layer_wish.h"
 #include "editor/tools/proposal.h"
 #include "editor/tools/scope.h"
 #include "editor/view/marks.h"
@@ -27,6 +28,7 @@ enum class ToolId {
   CurveCut,
   Select,
   Measure,
+  TopLayer,  ///< choose what lies on top, among the states of a crease pattern
 };
 
 /// What came of an event.
@@ -34,6 +36,7 @@ struct Reaction {
   bool isHandled = false;                             ///< otherwise the pane may orbit or pan
   bool wantsCommit = false;                           ///< make the proposed step now
   std::optional<Selection> selection = std::nullopt;  ///< the selection becomes this
+  std::optional<LayerWish> wish = std::nullopt;       ///< other layers of the crease pattern
 
   static Reaction handled() { return {.isHandled = true}; }
   static Reaction ignored() { return {}; }

@@ -21,6 +21,7 @@ void SessionHub::note(const Changed& what) {
   gathered_.tool |= what.tool;
   gathered_.busy |= what.busy;
   gathered_.selection |= what.selection;
+  gathered_.pattern |= what.pattern;
   if (isWaiting_) return;
   isWaiting_ = true;
   QMetaObject::invokeMethod(this, &SessionHub::flush, Qt::QueuedConnection);
@@ -37,6 +38,7 @@ void SessionHub::flush() {
   if (what.marks) emit marksChanged();
   if (what.selection) emit selectionChanged();
   if (what.busy) emit busyChanged();
+  if (what.pattern) emit patternChanged();
 }
 
 }  // namespace kiri::desktop

@@ -32,6 +32,7 @@ class SessionHub final : public QObject {
   void viewChanged();
   void toolChanged();
   void busyChanged();
+  void patternChanged();
   void selectionChanged();
 
  private:

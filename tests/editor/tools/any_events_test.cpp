@@ -12,9 +12,9 @@
 namespace kiri::test {
 namespace {
 
-const ToolId kTools[] = {ToolId::Fold,   ToolId::Line,   ToolId::Angle,       ToolId::AddEdge,
-                         ToolId::Tear,   ToolId::Mend,   ToolId::StraightCut, ToolId::CurveCut,
-                         ToolId::Select, ToolId::Measure};
+const ToolId kTools[] = {ToolId::Fold,   ToolId::Line,    ToolId::Angle,       ToolId::AddEdge,
+                         ToolId::Tear,   ToolId::Mend,    ToolId::StraightCut, ToolId::CurveCut,
+                         ToolId::Select, ToolId::Measure, ToolId::TopLayer};
 
 FoldedState randomState(Random& random) {
   const Model model = randomSheet(random);
