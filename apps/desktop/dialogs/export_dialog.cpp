@@ -29,7 +29,7 @@ ExportRequest forPreview(ExportRequest request) {
     request.isLinesOnly = true;
   }
   if (!isPicture(request.format)) {
-    request.isShaded = true;
+    request.isShaded = !isPatternOnly(request.format);
     request.lineStyle = LineStyle::Program;
   }
   if (!request.background) request.background = Color{255, 255, 255};
@@ -122,6 +122,9 @@ QComboBox* ExportDialog::makeFormats() {
                     {tr("PDF document"), static_cast<int>(ExportFormat::Pdf)},
                     {tr("PNG picture"), static_cast<int>(ExportFormat::Png)},
                     {tr("FOLD, for origami programs"), static_cast<int>(ExportFormat::Fold)},
+                    {tr("CP, of ORIPA and Oriedita"), static_cast<int>(ExportFormat::Cp)},
+                    {tr("OPX, of ORIPA"), static_cast<int>(ExportFormat::Opx)},
+                    {tr("DXF, for cutters and CAD"), static_cast<int>(ExportFormat::Dxf)},
                     {tr("Wavefront OBJ"), static_cast<int>(ExportFormat::Obj)},
                     {tr("STL, for 3-D printers"), static_cast<int>(ExportFormat::Stl)},
                     {tr("glTF, for viewers and the web"), static_cast<int>(ExportFormat::Gltf)}},
@@ -178,10 +181,12 @@ void ExportDialog::addProgramRows() {
 
 void ExportDialog::showRows() {
   const auto format = static_cast<ExportFormat>(chosenIn(*format_));
-  const bool isSheet = chosenIn(*subject_) == static_cast<int>(ExportSubject::Sheet);
+  const bool isPattern = isPatternOnly(format);
+  const bool isSheet = isPattern || chosenIn(*subject_) == static_cast<int>(ExportSubject::Sheet);
   const bool isDrawn = isPicture(format);
   const bool isLayered = isSheet && format == ExportFormat::Svg && machines_->isChecked();
-  const bool isSolid = !isDrawn && format != ExportFormat::Fold;
+  const bool isSolid = !isDrawn && !isPattern && format != ExportFormat::Fold;
+  subject_->setEnabled(!isPattern);
   setRowVisible(*form_, *view_, isDrawn && !isSheet);
   setRowVisible(*form_, *lines_, isDrawn && isSheet && !isLayered);
   setRowVisible(*form_, *scale_, isDrawn && !isLayered);
@@ -192,7 +197,8 @@ void ExportDialog::showRows() {
   setRowVisible(*form_, *machines_, isSheet && format == ExportFormat::Svg);
   setRowVisible(*form_, *linesOnly_, isDrawn && isSheet && !isLayered);
   setRowVisible(*form_, *white_, isDrawn && !isLayered);
-  setRowVisible(*form_, *asFolded_, isSheet && (isDrawn || format == ExportFormat::Fold));
+  setRowVisible(*form_, *asFolded_,
+                isSheet && (isDrawn || isPattern || format == ExportFormat::Fold));
   setRowVisible(*form_, *layerGap_, isSolid);
   setRowVisible(*form_, *thickness_, isSolid);
   setRowVisible(*form_, *twoSided_, format == ExportFormat::Obj);
@@ -203,6 +209,7 @@ ExportRequest ExportDialog::request() const {
   ExportRequest request;
   request.subject = static_cast<ExportSubject>(chosenIn(*subject_));
   request.format = static_cast<ExportFormat>(chosenIn(*format_));
+  if (isPatternOnly(request.format)) request.subject = ExportSubject::Sheet;
   request.view = static_cast<ExportView>(chosenIn(*view_));
   request.lineStyle = static_cast<LineStyle>(chosenIn(*lines_));
   request.scale = scale_->value() / 100;
@@ -226,11 +233,13 @@ ExportRequest ExportDialog::request() const {
 void ExportDialog::askPreview() {
   auto picture = std::make_shared<QImage>();
   auto facts = std::make_shared<QSizeF>();
+  auto losses = std::make_shared<std::vector<std::string>>();
   const double ratio = devicePixelRatioF();
   const int pixels = static_cast<int>((kPreview - 2) * ratio);
   Task task;
-  task.work = [source = source_, request = forPreview(request()), picture, facts, pixels,
+  task.work = [source = source_, request = forPreview(request()), picture, facts, losses, pixels,
                ratio](const Progress& progress) {
+    *losses = lossesOf(source, request);
     const Result<Scene> scene = sceneOf(source, request, progress);
     if (!scene.isOk()) return;
     *facts = QSizeF(scene->width, scene->height);
@@ -239,8 +248,13 @@ void ExportDialog::askPreview() {
     *picture = toQt(*image);
     picture->setDevicePixelRatio(ratio);
   };
-  task.done = [this, picture, facts] {
+  task.done = [this, picture, facts, losses] {
     showPreview(*picture);
+    if (!losses->empty()) {
+      QString text = tr("This format cannot hold:");
+      for (const std::string& loss : *losses) text += "\n" + sentenceOf(loss);
+      return facts_->setText(text);
+    }
     const bool isDrawn = isPicture(request().format);
     facts_->setText(
         isDrawn ? tr("%1 × %2 mm").arg(facts->width(), 0, 'f', 1).arg(facts->height(), 0, 'f', 1)

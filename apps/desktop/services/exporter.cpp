@@ -5,11 +5,14 @@
 #include <utility>
 
 #include "apps/desktop/services/textures.h"
+#include "core/creases/repair.h"
+#include "core/model/pattern_model.h"
 #include "core/model/timeline.h"
 #include "io/file.h"
 #include "io/fold_history.h"
 #include "io/gltf_animation.h"
 #include "io/obj_writer.h"
+#include "io/patterns/pattern_file.h"
 #include "io/stl_writer.h"
 #include "io/svg_pattern_writer.h"
 #include "render/canvas/png.h"
@@ -127,6 +130,20 @@ Result<Exported> pictureOf(const ExportSource& source, const ExportRequest& requ
   return Exported{std::move(*bytes), {}};
 }
 
+PatternFormat patternFormat(ExportFormat format) {
+  if (format == ExportFormat::Opx) return PatternFormat::Opx;
+  return format == ExportFormat::Dxf ? PatternFormat::Dxf : PatternFormat::Cp;
+}
+
+WrittenPattern patternFrom(const ExportSource& source, const ExportRequest& request) {
+  PatternFile file;
+  file.drawing = drawingOf(assignedPatternOf(*source.state, request.isAsFolded));
+  file.title = source.title.toStdString();
+  file.description = source.model.notes;
+  file.mmPerUnit = 1;
+  return writePattern(file, patternFormat(request.format));
+}
+
 Result<Exported> bytesOf(const ExportSource& source, const ExportRequest& request,
                          const Progress& progress) {
   switch (request.format) {
@@ -138,6 +155,12 @@ Result<Exported> bytesOf(const ExportSource& source, const ExportRequest& reques
       return stlOf(source, request);
     case ExportFormat::Gltf:
       return gltfOf(source, request, progress);
+    case ExportFormat::Cp:
+    case ExportFormat::Opx:
+    case ExportFormat::Dxf: {
+      WrittenPattern written = patternFrom(source, request);
+      return Exported{std::move(written.text), std::move(written.losses)};
+    }
     case ExportFormat::Svg:
     case ExportFormat::Pdf:
     case ExportFormat::Png:
@@ -171,12 +194,27 @@ QString endingOf(ExportFormat format) {
       return "stl";
     case ExportFormat::Gltf:
       return "glb";
+    case ExportFormat::Cp:
+      return "cp";
+    case ExportFormat::Opx:
+      return "opx";
+    case ExportFormat::Dxf:
+      return "dxf";
   }
   return {};
 }
 
 bool isPicture(ExportFormat format) {
   return format == ExportFormat::Svg || format == ExportFormat::Pdf || format == ExportFormat::Png;
+}
+
+bool isPatternOnly(ExportFormat format) {
+  return format == ExportFormat::Cp || format == ExportFormat::Opx || format == ExportFormat::Dxf;
+}
+
+std::vector<std::string> lossesOf(const ExportSource& source, const ExportRequest& request) {
+  if (!isPatternOnly(request.format)) return {};
+  return patternFrom(source, request).losses;
 }
 
 Result<Scene> sceneOf(const ExportSource& source, const ExportRequest& request,

@@ -17,12 +17,14 @@
 namespace kiri::desktop {
 
 enum class ExportSubject { Model, Sheet };
-enum class ExportFormat { Svg, Pdf, Png, Fold, Obj, Stl, Gltf };
+enum class ExportFormat { Svg, Pdf, Png, Fold, Obj, Stl, Gltf, Cp, Opx, Dxf };
 enum class ExportView { Screen, Front, Back, Angled };
 
 /// Ending of the file's name: "svg", "glb".
 QString endingOf(ExportFormat format);
 bool isPicture(ExportFormat format);
+/// Crease patterns of other programs, that hold the sheet only.
+bool isPatternOnly(ExportFormat format);
 
 struct ExportRequest {
   ExportSubject subject = ExportSubject::Model;
@@ -55,6 +57,10 @@ struct ExportRequest {
 /// Errors: those of modelScene; Cancelled.
 Result<Scene> sceneOf(const ExportSource& source, const ExportRequest& request,
                       const Progress& progress = {});
+
+/// What a crease pattern in this format will lack, in sentences, before anything is written;
+/// nothing for other formats.
+std::vector<std::string> lossesOf(const ExportSource& source, const ExportRequest& request);
 
 /// Writes the file. The value: what the format could not hold, in sentences. Errors: those of the
 /// writers, Unwritable, Cancelled; an existing file is unchanged then.

@@ -4,11 +4,13 @@
 
 #include <QComboBox>
 #include <QImage>
+#include <QLabel>
 #include <QProcess>
 #include <QSignalSpy>
 
 #include "apps/desktop/dialogs/film_dialog.h"
 #include "apps/desktop/dialogs/form.h"
+#include "io/patterns/pattern_file.h"
 #include "tests/apps/desktop/dialogs/dialog_test_kit.h"
 
 namespace kiri::desktop {
@@ -53,6 +55,32 @@ TEST_F(ExportDialogTest, ASheetAsSvgHasTheLayersOfMachinesUnlessToldOtherwise) {
   const auto dialog = dialogFor(ExportSubject::Sheet, ExportFormat::Svg);
   exportAs(*dialog, "machines.svg");
   EXPECT_NE(bytesOf("machines.svg").find("id=\"Score-"), std::string::npos);
+}
+
+TEST_F(ExportDialogTest, TellsWhatAPatternFormatCannotHoldBeforeItIsWritten) {
+  for (const ExportFormat format : {ExportFormat::Cp, ExportFormat::Opx, ExportFormat::Dxf}) {
+    const auto dialog = dialogFor(ExportSubject::Model, format, "ship");
+    EXPECT_EQ(dialog->request().subject, ExportSubject::Sheet) << "a pattern is of the sheet";
+    const ExportSource source = test::exampleSource("ship");
+    const std::vector<std::string> losses = lossesOf(source, dialog->request());
+    if (!losses.empty()) {
+      const auto isTold = [&] {
+        for (const QLabel* label : dialog->findChildren<QLabel*>()) {
+          if (label->text().contains(QString::fromStdString(losses.front()).mid(1))) return true;
+        }
+        return false;
+      };
+      EXPECT_TRUE(test::waitFor(isTold)) << losses.front();
+    }
+    const QString name = "ship." + endingOf(format);
+    exportAs(*dialog, name);
+    const auto read = readPattern(bytesOf(name), name.toStdString());
+    ASSERT_TRUE(read.isOk()) << read.error().message;
+    EXPECT_GE(read->drawing.lines.size(), 9U);
+  }
+  const auto dialog = dialogFor(ExportSubject::Sheet, ExportFormat::Cp, "ship");
+  EXPECT_FALSE(lossesOf(test::exampleSource("ship"), dialog->request()).empty())
+      << "the title of the ship, at least, is lost";
 }
 
 TEST_F(ExportDialogTest, SaysWhyAFileCannotBeWrittenAndStaysOpen) {
