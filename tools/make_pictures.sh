@@ -34,4 +34,6 @@ shots=$(mktemp -d)
 KIRI_PICTURES=$shots tools/with_screen.sh build/release/kiri_tests_apps_desktop_journeys
 cp "$shots/journey-leaf.png" docs/pictures/window.png
 cp "$shots/journey-stretch.png" docs/pictures/window_stretch.png
+cp "$shots/journey-pattern.png" docs/pictures/window_pattern.png
+cp "$shots/journey-faults.png" docs/pictures/window_faults.png
 rm -r "$shots"

@@ -40,6 +40,8 @@ std::vector<ActionSpec> editActions() {
        KIRI_ACTION("Make the step that is shown"), false, KeyScope::Panes},
       {"cancel", KIRI_ACTION("&Cancel"), "cancel", "Esc",
        KIRI_ACTION("Drop what is half done, then the selection"), false, KeyScope::Panes},
+      {"paste", KIRI_ACTION("P&aste a pattern"), "", "Ctrl+V",
+       KIRI_ACTION("A new model from the crease pattern on the clipboard")},
       {"delete", KIRI_ACTION("D&elete"), "delete", "Del", KIRI_ACTION("Take away the chosen point"),
        false, KeyScope::Panes},
       {"remove-step", KIRI_ACTION("Remo&ve the step"), "", "Ctrl+Del",
@@ -76,6 +78,13 @@ std::vector<ActionSpec> foldActions() {
        KIRI_ACTION("Pick facets, points, vertices and lines"), kCheckable},
       {"measure", KIRI_ACTION("Measure"), "measure", "R",
        KIRI_ACTION("Lengths and angles on the paper"), kCheckable},
+      {"top-layer", KIRI_ACTION("On to&p"), "top-layer", "O",
+       KIRI_ACTION("Choose what lies on top, among the folded states of a crease pattern"),
+       kCheckable},
+      {"next-state", KIRI_ACTION("Ne&xt folded state"), "", "PgDown",
+       KIRI_ACTION("The next state of the chosen component of the crease pattern")},
+      {"previous-state", KIRI_ACTION("P&revious folded state"), "", "PgUp",
+       KIRI_ACTION("The previous state of the chosen component of the crease pattern")},
       {"valley", KIRI_ACTION("&Valley"), "valley", "V", KIRI_ACTION("The fold comes towards you")},
       {"mountain", KIRI_ACTION("&Mountain"), "mountain", "M",
        KIRI_ACTION("The fold goes away from you")},
@@ -172,8 +181,8 @@ const std::vector<ActionSpec>& actionTable() {
 }
 
 QStringList toolActionIds() {
-  return {"fold", "line",         "angle",     "add-edge", "tear",
-          "mend", "straight-cut", "curve-cut", "select",   "measure"};
+  return {"fold",         "line",      "angle",  "add-edge", "tear",     "mend",
+          "straight-cut", "curve-cut", "select", "measure",  "top-layer"};
 }
 
 }  // namespace kiri::desktop

@@ -26,6 +26,7 @@ Docks makeDocks(QMainWindow& window, SessionHub& hub, QMenu& menu) {
   docks.step = new StepPanel(hub);
   docks.folds = new FoldsPanel(hub);
   docks.steps = new StepsList(hub);
+  docks.pattern = new PatternPanel(hub);
   docks.player = new PlayerBar(hub);
   auto* foot = new QWidget;
   auto* column = new QVBoxLayout(foot);
@@ -37,6 +38,10 @@ Docks makeDocks(QMainWindow& window, SessionHub& hub, QMenu& menu) {
   docks.stepDock = dock(window, "step-dock", tr("Step"), docks.step, Qt::RightDockWidgetArea);
   QDockWidget* folds =
       dock(window, "folds-dock", tr("Folds"), docks.folds, Qt::RightDockWidgetArea);
+  docks.patternDock =
+      dock(window, "pattern-dock", tr("Pattern"), docks.pattern, Qt::RightDockWidgetArea);
+  window.tabifyDockWidget(folds, docks.patternDock);
+  folds->raise();
   QDockWidget* steps = dock(window, "steps-dock", tr("Steps"), foot, Qt::BottomDockWidgetArea);
   // A row of cards says itself what it is.
   steps->setTitleBarWidget(new QWidget(steps));
@@ -44,7 +49,8 @@ Docks makeDocks(QMainWindow& window, SessionHub& hub, QMenu& menu) {
   window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window.resizeDocks({docks.stepDock, folds}, {290, 290}, Qt::Horizontal);
   window.resizeDocks({docks.stepDock, folds}, {340, 420}, Qt::Vertical);
-  for (QDockWidget* one : {docks.stepDock, folds, steps}) menu.addAction(one->toggleViewAction());
+  for (QDockWidget* one : {docks.stepDock, folds, docks.patternDock, steps})
+    menu.addAction(one->toggleViewAction());
   return docks;
 }
 

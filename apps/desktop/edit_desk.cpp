@@ -11,7 +11,7 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr std::array<std::pair<const char*, ToolId>, 10> kTools{
+constexpr std::array<std::pair<const char*, ToolId>, 11> kTools{
     {{"fold", ToolId::Fold},
      {"line", ToolId::Line},
      {"angle", ToolId::Angle},
@@ -21,7 +21,8 @@ constexpr std::array<std::pair<const char*, ToolId>, 10> kTools{
      {"straight-cut", ToolId::StraightCut},
      {"curve-cut", ToolId::CurveCut},
      {"select", ToolId::Select},
-     {"measure", ToolId::Measure}}};
+     {"measure", ToolId::Measure},
+     {"top-layer", ToolId::TopLayer}}};
 
 Step stepOf(Action action) {
   Step step;

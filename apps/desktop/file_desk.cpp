@@ -3,11 +3,14 @@
 #include "apps/desktop/file_desk.h"
 
 #include <QFileInfo>
+#include <QMimeData>
 #include <QPointer>
+#include <QUrl>
 #include <optional>
 #include <utility>
 
 #include "apps/desktop/look/convert.h"
+#include "editor/document/pattern_import.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
 #include "io/kiri_writer.h"
@@ -19,9 +22,30 @@ struct FileDesk::Reading {
   std::optional<Document> document;
   std::optional<Error> error;
   QStringList warnings;
+  PatternReport report;
 };
 
 namespace {
+
+/// The first file of the data that can be opened.
+QString fileIn(const QMimeData& data) {
+  for (const QUrl& url : data.urls()) {
+    QString file = url.toLocalFile();
+    if (file.endsWith(".kiri", Qt::CaseInsensitive) || isPatternName(file.toStdString()))
+      return file;
+  }
+  return {};
+}
+
+/// The text of a crease pattern; empty: there is none.
+std::string textIn(const QMimeData& data) {
+  for (const char* format : {"image/svg+xml", "application/json"}) {
+    const std::string text = data.data(format).toStdString();
+    if (!text.empty() && isPatternText(text)) return text;
+  }
+  std::string text = data.text().toStdString();
+  return isPatternText(text) ? text : std::string();
+}
 
 Phrase phrase(const char* text, const QString& argument) {
   return {text, {argument.toStdString()}};
@@ -62,6 +86,22 @@ void FileDesk::openFile(const QString& path) {
   whenSafe([this, path] { read(path); });
 }
 
+bool FileDesk::canOpen(const QMimeData& data) {
+  return !fileIn(data).isEmpty() || !textIn(data).empty();
+}
+
+void FileDesk::openData(const QMimeData& data) {
+  if (const QString file = fileIn(data); !file.isEmpty()) return openFile(file);
+  std::string text = textIn(data);
+  if (text.empty()) {
+    emit warned(
+        {tr("There is no crease pattern on the clipboard: copy a file (FOLD, CP, OPX, SVG, "
+            "DXF) or the text of one")});
+    return;
+  }
+  whenSafe([this, text = std::move(text)] { importText(text); });
+}
+
 void FileDesk::askAndOpen() {
   whenSafe([this] {
     const QString path = prompts_->fileToOpen();
@@ -87,6 +127,7 @@ void FileDesk::show(const Model& model) {
 }
 
 void FileDesk::read(const QString& path) {
+  if (isPatternName(path.toStdString())) return importFile(path);
   isBusy_ = true;
   const QString absolute = QFileInfo(path).absoluteFilePath();
   auto reading = std::make_shared<Reading>();
@@ -111,6 +152,66 @@ void FileDesk::read(const QString& path) {
        }});
 }
 
+void FileDesk::import(const std::string& text, const std::string& name, Reading& reading,
+                      const Progress& progress) {
+  const auto part = [&progress](double from, double to) -> Progress {
+    return
+        [&progress, from, to](double done) { return goesOn(progress, from + (to - from) * done); };
+  };
+  Result<PatternImport> made = importPattern(text, name, PatternUse::Folded, part(0, 0.8));
+  if (!made) {
+    reading.error = made.error();
+    return;
+  }
+  Result<Document> document = Document::create(std::move(made->model), part(0.8, 1));
+  if (!document) {
+    reading.error = document.error();
+    return;
+  }
+  reading.document = std::move(*document);
+  reading.report = std::move(made->report);
+}
+
+void FileDesk::importFile(const QString& path) {
+  isBusy_ = true;
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  auto reading = std::make_shared<Reading>();
+  const auto work = [reading, file = absolute.toStdString(),
+                     name = QFileInfo(path).fileName().toStdString()](const Progress& progress) {
+    const Result<std::string> bytes = readFile(file);
+    if (bytes) {
+      import(*bytes, name, *reading, progress);
+    } else {
+      reading->error = bytes.error();
+    }
+  };
+  hub_.runner().start(
+      {phrase(QT_TRANSLATE_NOOP("editor/session", "Opening %1"), QFileInfo(path).fileName()), work,
+       [desk = QPointer<FileDesk>(this), reading, absolute] {
+         if (desk) desk->finishImport(*reading, absolute);
+       }});
+}
+
+void FileDesk::importText(const std::string& text) {
+  isBusy_ = true;
+  auto reading = std::make_shared<Reading>();
+  hub_.runner().start(
+      {phrase(QT_TRANSLATE_NOOP("editor/session", "Opening %1"), tr("the pasted pattern")),
+       [reading, text](const Progress& progress) { import(text, {}, *reading, progress); },
+       [desk = QPointer<FileDesk>(this), reading] {
+         if (desk) desk->finishImport(*reading, {});
+       }});
+}
+
+void FileDesk::finishImport(const Reading& reading, const QString& path) {
+  const bool isThere = reading.document.has_value() && !reading.error;
+  std::vector<std::string> losses = reading.report.losses;
+  finishReading(reading, path);
+  if (!isThere) return;
+  losses_ = std::move(losses);
+  emit patternOpened();
+}
+
 void FileDesk::finishReading(const Reading& reading, const QString& path) {
   isBusy_ = false;
   if (reading.error && reading.error->code == ErrorCode::Cancelled) return;
@@ -119,7 +220,8 @@ void FileDesk::finishReading(const Reading& reading, const QString& path) {
     return tell(tr("The model cannot be opened"), toQt(reading.error->message));
   }
   if (!reading.document) return;  // stopped
-  hub_.session().open(*reading.document);
+  losses_.clear();
+  hub_.session().open(*reading.document, reading.report);
   if (!path.isEmpty()) settings_.addRecentFile(path);
   emit opened();
   if (!reading.warnings.isEmpty()) emit warned(reading.warnings);
@@ -142,6 +244,12 @@ void FileDesk::saveThen(std::function<void()> then) {
 }
 
 void FileDesk::write(const QString& path, std::function<void()> then) {
+  if (isPatternName(path.toStdString())) {
+    return tell(tr("The model cannot be saved"),
+                tr("%1 has the name of a crease pattern. A model is saved as .kiri, with all its "
+                   "steps; use Export to write a crease pattern.")
+                    .arg(QFileInfo(path).fileName()));
+  }
   isBusy_ = true;
   const Document& document = hub_.session().document();
   auto problem = std::make_shared<std::optional<Error>>();
@@ -162,11 +270,19 @@ void FileDesk::write(const QString& path, std::function<void()> then) {
     desk->hub_.session().noteSaved(path.toStdString());
     desk->settings_.addRecentFile(path);
     emit desk->saved(path);
+    desk->tellLosses();
     if (then) then();
   };
   hub_.runner().start(
       {phrase(QT_TRANSLATE_NOOP("editor/session", "Saving %1"), QFileInfo(path).fileName()), work,
        done});
+}
+
+/// Once, after an imported pattern was saved as a model for the first time.
+void FileDesk::tellLosses() {
+  QStringList sentences;
+  for (const std::string& loss : std::exchange(losses_, {})) sentences << toQt(loss);
+  if (!sentences.isEmpty()) emit warned(sentences);
 }
 
 void FileDesk::tell(const QString& title, const QString& text) {

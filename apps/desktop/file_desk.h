@@ -6,11 +6,15 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "apps/desktop/file_prompts.h"
 #include "apps/desktop/services/session_hub.h"
 #include "apps/desktop/services/settings.h"
 #include "core/model/model.h"
+
+class QMimeData;
 
 namespace kiri::desktop {
 
@@ -25,7 +29,12 @@ class FileDesk final : public QObject {
 
   /// Asks about unsaved changes first.
   void openModel(Model model);
+  /// A model, or a crease pattern of another program, which becomes a new model.
   void openFile(const QString& path);
+  /// True when the data holds a file that openFile takes, or the text of a crease pattern.
+  static bool canOpen(const QMimeData& data);
+  /// Opens what was pasted or dropped.
+  void openData(const QMimeData& data);
   void askAndOpen();
   void save();
   void saveAs();
@@ -42,12 +51,20 @@ class FileDesk final : public QObject {
   void opened();
   void saved(const QString& path);
   void failed(const QString& text);
+  /// The model that was opened was a crease pattern of another program.
+  void patternOpened();
   /// Sentences of the reader about what looks odd in the file but does no harm.
   void warned(const QStringList& sentences);
 
  private:
   struct Reading;
   void read(const QString& path);
+  static void import(const std::string& text, const std::string& name, Reading& reading,
+                     const Progress& progress);
+  void importFile(const QString& path);
+  void importText(const std::string& text);
+  void finishImport(const Reading& reading, const QString& path);
+  void tellLosses();
   void show(const Model& model);
   void finishReading(const Reading& reading, const QString& path);
   void write(const QString& path, std::function<void()> then);
@@ -57,6 +74,7 @@ class FileDesk final : public QObject {
   SessionHub& hub_;
   Settings& settings_;
   std::unique_ptr<FilePrompts> prompts_;
+  std::vector<std::string> losses_;  ///< to be told when an imported pattern is saved
   bool isBusy_ = false;
 };
 

@@ -14,9 +14,16 @@
 namespace kiri::desktop {
 namespace {
 
-QString filter() {
+QString modelFilter() {
   return QCoreApplication::translate("kiri::desktop::DialogPrompts",
                                      "KiriSim models (*.kiri);;All files (*)");
+}
+
+QString openFilter() {
+  return QCoreApplication::translate(
+      "kiri::desktop::DialogPrompts",
+      "Models and crease patterns (*.kiri *.fold *.cp *.opx *.svg *.dxf);;KiriSim models "
+      "(*.kiri);;Crease patterns (*.fold *.cp *.opx *.svg *.dxf);;All files (*)");
 }
 
 }  // namespace
@@ -40,8 +47,8 @@ SaveAnswer DialogPrompts::askToSave(const QString& name) {
 }
 
 QString DialogPrompts::fileToOpen() {
-  QString file = QFileDialog::getOpenFileName(&window_, tr("Open a model"),
-                                              settings_.folderFor("model"), filter());
+  QString file = QFileDialog::getOpenFileName(&window_, tr("Open a model or a crease pattern"),
+                                              settings_.folderFor("model"), openFilter());
   if (!file.isEmpty()) settings_.setFolderFor("model", QFileInfo(file).absolutePath());
   return file;
 }
@@ -50,7 +57,8 @@ QString DialogPrompts::fileToSave(const QString& suggestion) {
   const QString place = QFileInfo(suggestion).isAbsolute()
                             ? suggestion
                             : QDir(settings_.folderFor("model")).filePath(suggestion);
-  QFileDialog dialog(&window_, tr("Save the model"), QFileInfo(place).absolutePath(), filter());
+  QFileDialog dialog(&window_, tr("Save the model"), QFileInfo(place).absolutePath(),
+                     modelFilter());
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("kiri");
   dialog.selectFile(QFileInfo(place).fileName());

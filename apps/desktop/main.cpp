@@ -30,7 +30,10 @@ Wishes readArguments(const QCoreApplication& application) {
       "software", QCoreApplication::translate("main", "Draw without the graphics card."));
   parser.addOption(software);
   parser.addPositionalArgument(
-      "MODEL", QCoreApplication::translate("main", "A model to open (.kiri)."), "[MODEL]");
+      "MODEL",
+      QCoreApplication::translate(
+          "main", "A model (.kiri) or a crease pattern (.fold, .cp, .opx, .svg, .dxf) to open."),
+      "[MODEL]");
   parser.process(application);
   Wishes wishes;
   if (!parser.positionalArguments().isEmpty()) wishes.file = parser.positionalArguments().front();

@@ -3,6 +3,7 @@
 #include "apps/desktop/main_window.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -14,18 +15,6 @@
 #include "apps/desktop/look/theme.h"
 
 namespace kiri::desktop {
-namespace {
-
-/// The model files among what is dropped.
-QString droppedModel(const QMimeData& data) {
-  for (const QUrl& url : data.urls()) {
-    QString file = url.toLocalFile();
-    if (file.endsWith(".kiri", Qt::CaseInsensitive)) return file;
-  }
-  return {};
-}
-
-}  // namespace
 
 MainWindow::MainWindow(PoolRunner& runner, Settings& settings, Options options, QWidget* parent)
     : QMainWindow(parent),
@@ -89,9 +78,14 @@ void MainWindow::connectFiles() {
   on("open", [this] { files_->askAndOpen(); });
   on("save", [this] { files_->save(); });
   on("save-as", [this] { files_->saveAs(); });
+  on("paste", [this] { files_->openData(*QApplication::clipboard()->mimeData()); });
   on("quit", [this] { close(); });
   on("help", [this] { openHelp(*this, actions_); });
   connect(files_, &FileDesk::opened, this, [this] { modelView_->setFocus(); });
+  connect(files_, &FileDesk::patternOpened, this, [this] {
+    docks_.patternDock->show();
+    docks_.patternDock->raise();
+  });
   connect(files_, &FileDesk::saved, this, [this](const QString& path) {
     status_->say(Notice::Kind::Done, tr("Saved as %1").arg(path));
   });
@@ -114,6 +108,10 @@ void MainWindow::connectParts() {
     docks_.stepDock->raise();
     docks_.step->showStep(static_cast<std::size_t>(index));
   });
+  connect(&actions_["next-state"], &QAction::triggered, docks_.pattern,
+          [this] { docks_.pattern->walk(1); });
+  connect(&actions_["previous-state"], &QAction::triggered, docks_.pattern,
+          [this] { docks_.pattern->walk(-1); });
   connect(docks_.steps, &StepsList::removeWanted, edit_, &EditDesk::removeStep);
   connect(docks_.step, &StepPanel::removeWanted, edit_, &EditDesk::removeStep);
   connect(&actions_["full-screen"], &QAction::toggled, this,
@@ -169,14 +167,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!droppedModel(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (FileDesk::canOpen(*event->mimeData())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString file = droppedModel(*event->mimeData());
-  if (file.isEmpty()) return;
+  if (!FileDesk::canOpen(*event->mimeData())) return;
   event->acceptProposedAction();
-  files_->openFile(file);
+  files_->openData(*event->mimeData());
 }
 
 }  // namespace kiri::desktop

@@ -57,8 +57,8 @@ void makeReachable(QToolBar& bar) {
 }
 
 QStringList toolPalette() {
-  return {"fold", "line",         "angle",     "add-edge", "-",      "tear",
-          "mend", "straight-cut", "curve-cut", "-",        "select", "measure"};
+  return {"fold",         "line",      "angle", "add-edge", "-",       "tear",     "mend",
+          "straight-cut", "curve-cut", "-",     "select",   "measure", "top-layer"};
 }
 
 QMenu* viewMenu(QMainWindow& window, const Actions& actions) {
@@ -81,11 +81,13 @@ Menus makeMenus(QMainWindow& window, Actions& actions) {
        {"start-page", "-", "save", "save-as", "-", "export", "film", "print", "-", "appearance",
         "properties", "-", "quit"});
   menu(window, tr("&Edit"), actions,
-       {"undo", "redo", "-", "commit", "cancel", "delete", "-", "previous-step", "next-step",
-        "remove-step", "-", "snap", "-", "preferences", "shortcuts"});
+       {"undo", "redo", "-", "commit", "cancel", "delete", "paste", "-", "previous-step",
+        "next-step", "remove-step", "-", "snap", "-", "preferences", "shortcuts"});
   QStringList fold = toolPalette();
-  fold += {"-",           "valley",       "mountain", "-",          "turn-over",  "turn-over-down",
-           "rotate-left", "rotate-right", "-",        "unfold-all", "refold-all", "mend-all"};
+  fold += {"-",         "valley",         "mountain",      "-",
+           "turn-over", "turn-over-down", "rotate-left",   "rotate-right",
+           "-",         "unfold-all",     "refold-all",    "mend-all",
+           "-",         "next-state",     "previous-state"};
   menu(window, tr("F&old"), actions, fold);
   QMenu* view = viewMenu(window, actions);
   menus.panels = view->addMenu(tr("Pane&ls"));

@@ -10,7 +10,10 @@
 #include <optional>
 
 #include "apps/desktop/look/convert.h"
+#include "editor/document/document.h"
 #include "editor/document/gallery.h"
+#include "editor/document/pattern_import.h"
+#include "editor/document/thumbnails.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
 
@@ -32,6 +35,19 @@ QString titleFrom(const QString& path) {
   QString title = QFileInfo(path).completeBaseName().replace('_', ' ');
   if (!title.isEmpty()) title[0] = title[0].toUpper();
   return title;
+}
+
+/// A crease pattern as it lies flat: folding it may take long.
+void showPattern(const std::string& text, const QString& path, int pixels, ModelCard& card,
+                 const Progress& progress) {
+  const Result<PatternImport> import =
+      importPattern(text, path.toStdString(), PatternUse::Flat, progress);
+  if (!import) return;
+  const Result<Document> document = Document::create(import->model, progress);
+  if (!document) return;
+  card.steps = static_cast<int>(import->model.steps.size());
+  const Result<Image> picture = thumbnailOf(*document->state(), import->model, pixels, progress);
+  if (picture) card.picture = toQt(*picture);
 }
 
 }  // namespace
@@ -64,6 +80,10 @@ ModelCard cardOf(const QString& path, int pixels, const Progress& progress) {
   card.title = titleFrom(path);
   const Result<std::string> text = readFile(path.toStdString());
   if (!text.isOk()) return card;
+  if (isPatternName(path.toStdString())) {
+    showPattern(*text, path, pixels, card, progress);
+    return card;
+  }
   const Result<LoadedModel> loaded = readKiri(*text, path.toStdString());
   if (!loaded.isOk()) return card;
   const Model& model = loaded->model;

@@ -275,6 +275,18 @@
         <source>move by %1 mm</source>
         <translation>um %1 mm verschieben</translation>
     </message>
+    <message>
+        <source>Folded</source>
+        <translation>Gefaltet</translation>
+    </message>
+    <message>
+        <source>crease pattern, %1 creases, folded</source>
+        <translation>Faltmuster, %1 Falze, gefaltet</translation>
+    </message>
+    <message>
+        <source>crease pattern, %1 creases</source>
+        <translation>Faltmuster, %1 Falze</translation>
+    </message>
 </context>
 <context>
     <name>editor/session</name>
@@ -413,6 +425,58 @@
     <message>
         <source>new title</source>
         <translation>neuer Titel</translation>
+    </message>
+    <message>
+        <source>choice of another folded state</source>
+        <translation>Wahl eines anderen Faltzustands</translation>
+    </message>
+    <message>
+        <source>Looking for folded states</source>
+        <translation>Faltzustände werden gesucht</translation>
+    </message>
+    <message>
+        <source>This state cannot be shown</source>
+        <translation>Dieser Zustand kann nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>There are no folded states to choose from</source>
+        <translation>Es gibt keine Faltzustände, aus denen gewählt werden könnte</translation>
+    </message>
+    <message>
+        <source>It cannot lie on top there</source>
+        <translation>Das kann dort nicht oben liegen</translation>
+    </message>
+    <message>
+        <source>choice of the paper on top</source>
+        <translation>Wahl des oben liegenden Papiers</translation>
+    </message>
+    <message>
+        <source>Looking for the state</source>
+        <translation>Der Zustand wird gesucht</translation>
+    </message>
+    <message>
+        <source>Counting folded states</source>
+        <translation>Faltzustände werden gezählt</translation>
+    </message>
+    <message>
+        <source>Odd number of creases: %1</source>
+        <translation>Ungerade Zahl von Falzen: %1</translation>
+    </message>
+    <message>
+        <source>Kawasaki: %1°</source>
+        <translation>Kawasaki: %1°</translation>
+    </message>
+    <message>
+        <source>Maekawa: %1</source>
+        <translation>Maekawa: %1</translation>
+    </message>
+    <message>
+        <source>Big-little-big</source>
+        <translation>Groß-klein-groß</translation>
+    </message>
+    <message>
+        <source>Paper through paper</source>
+        <translation>Papier durch Papier</translation>
     </message>
 </context>
 <context>
@@ -1008,6 +1072,38 @@
         <source>Fans the layers under the line out, to be picked by a click (K)</source>
         <translation>Fächert die Lagen unter der Linie auf, um sie anzuklicken (K)</translation>
     </message>
+    <message>
+        <source>Layer %1 of %2</source>
+        <translation>Lage %1 von %2</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Counted from the one that is seen</source>
+        <translation>Von der sichtbaren aus gezählt</translation>
+    </message>
+    <message>
+        <source>Bring on top</source>
+        <translation>Nach oben holen</translation>
+    </message>
+    <message>
+        <source>Finds the folded state nearest to this one that has it so</source>
+        <translation>Sucht den nächstliegenden Faltzustand, in dem es so ist</translation>
+    </message>
+    <message>
+        <source>Enter brings layer %1 on top; click again or Tab for the next of %2</source>
+        <translation>Eingabe holt Lage %1 nach oben; noch ein Klick oder Tab wählt die nächste von %2</translation>
+    </message>
+    <message>
+        <source>Only one layer lies there</source>
+        <translation>Dort liegt nur eine Lage</translation>
+    </message>
+    <message>
+        <source>Click the folded model where another layer is to be on top</source>
+        <translation>Auf das gefaltete Modell klicken, wo eine andere Lage oben liegen soll</translation>
+    </message>
 </context>
 <context>
     <name>kiri::desktop</name>
@@ -1551,6 +1647,42 @@
         <source>Pane&amp;ls</source>
         <translation>Fenster&amp;teile</translation>
     </message>
+    <message>
+        <source>P&amp;aste a pattern</source>
+        <translation>Faltmuster einf&amp;ügen</translation>
+    </message>
+    <message>
+        <source>A new model from the crease pattern on the clipboard</source>
+        <translation>Ein neues Modell aus dem Faltmuster in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>On to&amp;p</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Choose what lies on top, among the folded states of a crease pattern</source>
+        <translation>Unter den Faltzuständen eines Faltmusters wählen, was oben liegt</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt folded state</source>
+        <translation>N&amp;ächster Faltzustand</translation>
+    </message>
+    <message>
+        <source>The next state of the chosen component of the crease pattern</source>
+        <translation>Der nächste Zustand der gewählten Komponente des Faltmusters</translation>
+    </message>
+    <message>
+        <source>P&amp;revious folded state</source>
+        <translation>Vo&amp;riger Faltzustand</translation>
+    </message>
+    <message>
+        <source>The previous state of the chosen component of the crease pattern</source>
+        <translation>Der vorige Zustand der gewählten Komponente des Faltmusters</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Faltmuster</translation>
+    </message>
 </context>
 <context>
     <name>kiri::desktop::AboutDialog</name>
@@ -1684,12 +1816,16 @@
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Open a model</source>
-        <translation>Ein Modell öffnen</translation>
-    </message>
-    <message>
         <source>Save the model</source>
         <translation>Das Modell speichern</translation>
+    </message>
+    <message>
+        <source>Models and crease patterns (*.kiri *.fold *.cp *.opx *.svg *.dxf);;KiriSim models (*.kiri);;Crease patterns (*.fold *.cp *.opx *.svg *.dxf);;All files (*)</source>
+        <translation>Modelle und Faltmuster (*.kiri *.fold *.cp *.opx *.svg *.dxf);;KiriSim-Modelle (*.kiri);;Faltmuster (*.fold *.cp *.opx *.svg *.dxf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a model or a crease pattern</source>
+        <translation>Modell oder Faltmuster öffnen</translation>
     </message>
 </context>
 <context>
@@ -1909,6 +2045,22 @@
         <source>Written: &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</source>
         <translation>Geschrieben: &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt;.</translation>
     </message>
+    <message>
+        <source>CP, of ORIPA and Oriedita</source>
+        <translation>CP, von ORIPA und Oriedita</translation>
+    </message>
+    <message>
+        <source>OPX, of ORIPA</source>
+        <translation>OPX, von ORIPA</translation>
+    </message>
+    <message>
+        <source>DXF, for cutters and CAD</source>
+        <translation>DXF, für Schneidemaschinen und CAD</translation>
+    </message>
+    <message>
+        <source>This format cannot hold:</source>
+        <translation>Dieses Format kann nicht aufnehmen:</translation>
+    </message>
 </context>
 <context>
     <name>kiri::desktop::FieldBar</name>
@@ -1934,6 +2086,18 @@
     <message>
         <source>The model cannot be saved</source>
         <translation>Das Modell kann nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>There is no crease pattern on the clipboard: copy a file (FOLD, CP, OPX, SVG, DXF) or the text of one</source>
+        <translation>In der Zwischenablage ist kein Faltmuster: eine Datei (FOLD, CP, OPX, SVG, DXF) oder ihren Text kopieren</translation>
+    </message>
+    <message>
+        <source>the pasted pattern</source>
+        <translation>das eingefügte Faltmuster</translation>
+    </message>
+    <message>
+        <source>%1 has the name of a crease pattern. A model is saved as .kiri, with all its steps; use Export to write a crease pattern.</source>
+        <translation>%1 heißt wie ein Faltmuster. Ein Modell wird mit allen Schritten als .kiri gespeichert; Faltmuster schreibt „Exportieren“.</translation>
     </message>
 </context>
 <context>
@@ -2160,6 +2324,109 @@
     <message>
         <source>%1%2 of %3 × %4 pages, true size</source>
         <translation>%1%2 von %3 × %4 Seiten, wahre Größe</translation>
+    </message>
+</context>
+<context>
+    <name>kiri::desktop::PatternPanel</name>
+    <message>
+        <source>Open, paste or drop a crease pattern (FOLD, CP, OPX, SVG, DXF): its faults and its folded states are listed here.</source>
+        <translation>Ein Faltmuster (FOLD, CP, OPX, SVG, DXF) öffnen, einfügen oder hierher ziehen: Seine Fehler und Faltzustände stehen dann hier.</translation>
+    </message>
+    <message>
+        <source>Marked in the sheet</source>
+        <translation>Im Blatt markiert</translation>
+    </message>
+    <message>
+        <source>Repairs and remarks</source>
+        <translation>Reparaturen und Hinweise</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponente</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Components of the folded states</source>
+        <translation>Komponenten der Faltzustände</translation>
+    </message>
+    <message>
+        <source>Faults of vertices</source>
+        <translation>Fehler an Eckpunkten</translation>
+    </message>
+    <message>
+        <source>Looking for folded states…</source>
+        <translation>Faltzustände werden gesucht …</translation>
+    </message>
+    <message>
+        <source>It was not looked for folded states.</source>
+        <translation>Nach Faltzuständen wurde nicht gesucht.</translation>
+    </message>
+    <message>
+        <source>The pattern folds flat.</source>
+        <translation>Das Muster lässt sich flach falten.</translation>
+    </message>
+    <message>
+        <source>The pattern does not fold flat.</source>
+        <translation>Das Muster lässt sich nicht flach falten.</translation>
+    </message>
+    <message>
+        <source>No folded state: these facets cannot be ordered.</source>
+        <translation>Kein Faltzustand: Diese Flächen lassen sich nicht ordnen.</translation>
+    </message>
+    <message>
+        <source>1 folded state</source>
+        <translation>1 Faltzustand</translation>
+    </message>
+    <message>
+        <source>%1 folded states</source>
+        <translation>%1 Faltzustände</translation>
+    </message>
+    <message>
+        <source>Counting folded states…</source>
+        <translation>Faltzustände werden gezählt …</translation>
+    </message>
+    <message>
+        <source>Folded states: not counted</source>
+        <translation>Faltzustände: nicht gezählt</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Zählen</translation>
+    </message>
+    <message>
+        <source>Previous state</source>
+        <translation>Voriger Zustand</translation>
+    </message>
+    <message>
+        <source>Next state</source>
+        <translation>Nächster Zustand</translation>
+    </message>
+    <message>
+        <source>%1: %2 facets</source>
+        <translation>%1: %2 Flächen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>1 fault of a vertex</source>
+        <translation>1 Fehler an einem Eckpunkt</translation>
+    </message>
+    <message>
+        <source>%1 faults of vertices</source>
+        <translation>%1 Fehler an Eckpunkten</translation>
     </message>
 </context>
 <context>
@@ -2838,8 +3105,8 @@
         <translation>Ohne die Grafikkarte zeichnen.</translation>
     </message>
     <message>
-        <source>A model to open (.kiri).</source>
-        <translation>Ein Modell, das geöffnet wird (.kiri).</translation>
+        <source>A model (.kiri) or a crease pattern (.fold, .cp, .opx, .svg, .dxf) to open.</source>
+        <translation>Ein Modell (.kiri) oder Faltmuster (.fold, .cp, .opx, .svg, .dxf), das geöffnet wird.</translation>
     </message>
 </context>
 </TS>

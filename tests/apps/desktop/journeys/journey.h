@@ -29,7 +29,8 @@ class Journey : public WindowHand, public test::Person {
         {ToolId::Angle, Qt::Key_W},       {ToolId::AddEdge, Qt::Key_A},
         {ToolId::Tear, Qt::Key_T},        {ToolId::Mend, Qt::Key_E},
         {ToolId::StraightCut, Qt::Key_C}, {ToolId::CurveCut, Qt::Key_B},
-        {ToolId::Select, Qt::Key_S},      {ToolId::Measure, Qt::Key_R}};
+        {ToolId::Select, Qt::Key_S},      {ToolId::Measure, Qt::Key_R},
+        {ToolId::TopLayer, Qt::Key_O}};
     type(keys.at(tool));
     ASSERT_EQ(session().tool(), tool) << "the key of the tool does not take it up";
   }
