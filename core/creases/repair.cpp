@@ -21,6 +21,9 @@
 namespace kiri {
 namespace {
 
+/// What is merged at least where anything is, as a part of what rounding explains.
+constexpr double kFinestTimes = 32;
+
 /// The faces of a line map and which of them are paper.
 struct PaperMap {
   MapFaces faces;
@@ -171,6 +174,21 @@ class DrawingRepair {
   PaperMap paper_;
 };
 
+/// `log`: what was told of the lines before.
+Result<RepairedPattern> repairedAt(const RepairScale& scale, const CreaseDrawing& drawing,
+                                   const std::vector<DrawnCrease>& lines,
+                                   const RepairOptions& options, RepairLog log,
+                                   const Progress& progress) {
+  DrawingRepair repair(drawing, scale, log, progress);
+  if (const Status done = repair.run(lines); !done) return done.error();
+  const PaperMap& paper = repair.paper();
+  RepairedPattern result{
+      buildPattern(repair.map(), paper.faces, paper.isPaper, options.scale, log), {}, 0};
+  result.repairs = log.repairs();
+  result.mergedWithin = scale.within;
+  return result;
+}
+
 }  // namespace
 
 Result<RepairedPattern> patternOf(const CreaseDrawing& drawing, const RepairOptions& options,
@@ -184,14 +202,14 @@ Result<RepairedPattern> patternOf(const CreaseDrawing& drawing, const RepairOpti
     return Error{ErrorCode::BadFile, "the crease pattern has no lines; draw a border and creases"};
   const Result<RepairScale> scale = scaleOf(lines, options, progress);
   if (!scale) return scale.error();
-  DrawingRepair repair(drawing, *scale, log, progress);
-  if (const Status done = repair.run(lines); !done) return done.error();
-  const PaperMap& paper = repair.paper();
-  RepairedPattern result{
-      buildPattern(repair.map(), paper.faces, paper.isPaper, options.scale, log), {}, 0};
-  result.repairs = log.repairs();
-  result.mergedWithin = scale->within;
-  return result;
+  Result<RepairedPattern> result = repairedAt(*scale, drawing, lines, options, log, progress);
+  // A tangle that merging far makes worse may come apart when only rounding is mended.
+  if (result || result.error().code != ErrorCode::BadFile || options.merge > 0) return result;
+  RepairScale finer = *scale;
+  finer.within = std::min(scale->within, kFinestTimes * scale->same);
+  if (finer.within == scale->within) return result;
+  Result<RepairedPattern> again = repairedAt(finer, drawing, lines, options, log, progress);
+  return again ? std::move(again) : std::move(result);
 }
 
 }  // namespace kiri

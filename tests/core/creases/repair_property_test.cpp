@@ -254,6 +254,24 @@ TEST(PatternOfProperties, ManyLinesThatCrossAtAllAnglesMakeSoundPatterns) {
   }
 }
 
+TEST(PatternOfProperties, HundredsOfLinesAcrossEachOtherAreNoHatching) {
+  // Far more crossings than ends: what the ends suggest would merge crossings by the thousand.
+  Random random(5);
+  CreaseDrawing drawing;
+  for (int i = 0; i < 500; ++i) {
+    drawing.lines.push_back({{random.between(0, 1), random.between(0, 1)},
+                             {random.between(0, 1), random.between(0, 1)},
+                             Assignment::Cut,
+                             {}});
+  }
+  const CreaseDrawing rim = drawn("B -1,-1 2,-1 2,2 -1,2 -1,-1");
+  drawing.lines.insert(drawing.lines.end(), rim.lines.begin(), rim.lines.end());
+  const Result<RepairedPattern> result = patternOf(drawing);
+  ASSERT_TRUE(result.isOk()) << result.error().message;
+  EXPECT_EQ(joined(mapViolations(result->creases)), "");
+  EXPECT_GT(result->creases.pattern.facets.size(), 10000U);
+}
+
 TEST(PatternOfProperties, LinesOnACoarseGridMakeSoundPatterns) {
   // Ends on few places: crossings at vertices, overlaps, lines through ends, all the time.
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
