@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "apps/cli/check_report.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/output_format.h"
 #include "apps/cli/pattern_input.h"
+#include "apps/cli/picture_options.h"
+#include "render/scene/pattern_check_scene.h"
 
 namespace kiri::cli {
 
@@ -16,7 +19,31 @@ struct CheckOptions {
   std::string file;
   bool isJson = false;
   bool setsCode = false;
+  PictureOptions picture;
 };
+
+Status checkUsage(const CheckOptions& options) {
+  if (options.picture.out.empty()) return std::monostate{};
+  const Result<std::string> format = checkPictureOptions(options.picture);
+  if (!format.isOk()) return format.error();
+  if (options.picture.out != "-" || !options.isJson) return std::monostate{};
+  return Error{ErrorCode::BadValue,
+               "-o - and --json would mix on standard output; name a file for the picture"};
+}
+
+int writeFaults(Console& console, const PatternInput& input, const PatternReport& report,
+                const PictureOptions& options) {
+  const Result<std::string> format = checkPictureOptions(options);
+  if (!format.isOk()) return fail(console, format.error(), kBadUsage);
+  PatternCheckOptions page;
+  page.title = input.title;
+  page.verdict = verdictOf(report) + "; " + closingOf(report, input.unit);
+  Appearance appearance;
+  appearance.lineStyle = options.style == "diagram" ? LineStyle::Diagram : LineStyle::Thesis;
+  Scene scene = patternCheckScene(input.creases, report.faults, input.repairs, appearance, page);
+  scene.background = Color{255, 255, 255};
+  return writePicture(console, std::move(scene), options, *format);
+}
 
 std::string checkJson(const PatternInput& input, const PatternReport& report) {
   const CreasePattern& pattern = input.creases.pattern;
@@ -58,13 +85,22 @@ std::string checkText(const PatternInput& input, const PatternReport& report) {
 }
 
 int run(Console& console, const CheckOptions& options) {
+  const Status usage = checkUsage(options);
+  if (!usage.isOk()) return fail(console, usage.error(), kBadUsage);
   const Result<PatternInput> input = loadPattern(console, options.file);
   if (!input.isOk()) return fail(console, input.error());
   noteRepairs(console, *input);
   if (isCancelled(console)) return fail(console, Error{ErrorCode::Cancelled, "", {}});
   const PatternReport report = reportOf(input->creases);
-  const int written = writeResult(
-      console, "-", options.isJson ? checkJson(*input, report) : checkText(*input, report));
+  if (!options.picture.out.empty()) {
+    const int drawn = writeFaults(console, *input, report, options.picture);
+    if (drawn != kDone) return drawn;
+  }
+  const bool isPiped = options.picture.out == "-";
+  const int written =
+      isPiped ? kDone
+              : writeResult(console, "-",
+                            options.isJson ? checkJson(*input, report) : checkText(*input, report));
   if (written != kDone) return written;
   return options.setsCode && !report.foldsFlat() ? kVerdictNo : kDone;
 }
@@ -82,6 +118,18 @@ void addCheckCommand(CLI::App& app, Console& console, int& code) {
           "input")
       ->required();
   command->add_flag("--json", options->isJson, "one JSON object, for programs");
+  command->add_option("-o,--output", options->picture.out, "picture of the pattern, faults marked")
+      ->type_name("OUT");
+  command
+      ->add_option("--format", options->picture.format,
+                   "svg, png or pdf (default: by the ending of OUT)")
+      ->type_name("FORMAT");
+  command->add_option("--dpi", options->picture.dpi, "pixels per inch of a PNG (default 200)")
+      ->type_name("N");
+  command
+      ->add_option("--style", options->picture.style,
+                   "thesis: mountain blue, valley red; diagram: black dashes")
+      ->type_name("STYLE");
   command->add_flag("--exit-code", options->setsCode, "exit with 5 when it does not fold flat");
   command->footer(
       "Examples:\n"

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/pattern_import.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "apps/cli/pattern_input.h"
 #include "apps/cli/search_watch.h"
 #include "apps/cli/state_number.h"
 #include "core/flatfold/polish.h"
 #include "core/model/pattern_model.h"
+#include "core/paper/boxes.h"
 #include "io/patterns/pattern_model_file.h"
 #include "io/patterns/states_fold.h"
 
@@ -57,8 +58,8 @@ Result<ChosenFolding> chooseState(const AssignedPattern& creases, const std::str
 }
 
 /// The model folded in the state that was asked for.
-Result<PatternModel> modelInState(const PatternFile& file, PatternModelOptions wanted,
-                                  const std::string& number, SearchWatch& watch) {
+Result<PatternModel> modelByNumber(const PatternFile& file, PatternModelOptions wanted,
+                                   const std::string& number, SearchWatch& watch) {
   Result<PatternOfFile> pattern = watch.part(
       "reading", [&](const Progress& progress) { return patternOfFile(file, progress); });
   if (!pattern.isOk()) return pattern.error();
@@ -120,10 +121,33 @@ Result<ModelInput> modelFromPattern(Console& console, const InputText& text,
                                                [&](const Progress& progress) {
                                                  return modelOfFile(*file, wanted, progress);
                                                })
-                                  : modelInState(*file, wanted, options.state, watch);
+                                  : modelByNumber(*file, wanted, options.state, watch);
   if (!made.isOk()) return named(text.name, made.error());
   for (const std::string& note : made->notes) console.err << "note: " << note << '\n';
   return ModelInput{text.name, text.folder, std::move(made->model)};
+}
+
+Result<Model> modelInState(Console& console, const PatternInput& input, const FlatMap& map,
+                           const OrderProblem& problem, const LayerValues& values,
+                           const Progress& progress) {
+  Result<Polished> exact = polished(input.creases, progress);
+  if (!exact.isOk()) return exact.error();
+  assign(exact->creases, map, problem, values);
+  PatternModelOptions wanted;
+  wanted.title = input.title;
+  wanted.chosen =
+      std::make_shared<const FoldedState>(foldedStateOf(exact->creases, problem, values));
+  if (input.file && !input.file->mmPerUnit) {
+    const PatternScale scale = scaleOf(*input.file);
+    const Box box = paperBoxOf(exact->creases.pattern);
+    const double longest = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    if (scale.mmPerUnit != 1) wanted.longestSide = longest * scale.mmPerUnit;
+    if (!scale.note.empty()) console.err << "note: " << scale.note << '\n';
+  }
+  Result<PatternModel> made = modelOf(exact->creases, wanted, progress);
+  if (!made.isOk()) return made.error();
+  for (const std::string& note : made->notes) console.err << "note: " << note << '\n';
+  return std::move(made->model);
 }
 
 }  // namespace kiri::cli

@@ -8,6 +8,8 @@
 #include "apps/cli/console.h"
 #include "apps/cli/input_text.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/pattern_input.h"
+#include "core/flatfold/flat_folding.h"
 
 namespace kiri::cli {
 
@@ -30,5 +32,11 @@ Status checkImport(const ImportOptions& options);
 /// BadFile; Cancelled; NotFound - there is no such state; those of patternOf and modelOf.
 Result<ModelInput> modelFromPattern(Console& console, const InputText& text,
                                     const ImportOptions& options = {});
+
+/// The model of a pattern folded in one of its states; notes as above. `values` are of `problem`,
+/// found for the creases of `input` and their `map`. Errors: those of polished and modelOf.
+Result<Model> modelInState(Console& console, const PatternInput& input, const FlatMap& map,
+                           const OrderProblem& problem, const LayerValues& values,
+                           const Progress& progress);
 
 }  // namespace kiri::cli

@@ -44,13 +44,6 @@ std::shared_ptr<const Image> textureOf(Console& console, const ModelInput& input
   return std::make_shared<const Image>(std::move(*image));
 }
 
-Result<std::string> bytesOf(const Scene& scene, const PictureOptions& options,
-                            const std::string& format) {
-  if (format == "svg") return writeSvg(scene);
-  if (format == "pdf") return writePdf(scene);
-  return writePng(scene, {options.dpi});
-}
-
 }  // namespace
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
@@ -95,12 +88,18 @@ Result<Appearance> appearanceFor(Console& console, const ModelInput& input,
   return appearance;
 }
 
+Result<std::string> pictureBytes(const Scene& scene, const std::string& format, double dpi) {
+  if (format == "svg") return writeSvg(scene);
+  if (format == "pdf") return writePdf(scene);
+  return writePng(scene, {dpi});
+}
+
 int writePicture(Console& console, Scene scene, const PictureOptions& options,
                  const std::string& format) {
   const Result<std::optional<Color>> background = backgroundOf(options);
   if (background.isOk() && *background) scene.background = **background;
   if (isCancelled(console)) return fail(console, Error{ErrorCode::Cancelled, "", {}});
-  const Result<std::string> bytes = bytesOf(scene, options, format);
+  const Result<std::string> bytes = pictureBytes(scene, format, options.dpi);
   if (!bytes.isOk()) return fail(console, bytes.error(), kBadUsage);
   return writeResult(console, options.out, *bytes);
 }

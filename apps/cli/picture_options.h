@@ -33,6 +33,9 @@ Result<Appearance> appearanceFor(Console& console, const ModelInput& input,
 /// Errors of the options that can be told before any work is done.
 Result<std::string> checkPictureOptions(const PictureOptions& options);
 
+/// The scene as svg, pdf or png. Errors: those of the writers (a page that is too large).
+Result<std::string> pictureBytes(const Scene& scene, const std::string& format, double dpi);
+
 /// Writes the scene in the chosen format.
 int writePicture(Console& console, Scene scene, const PictureOptions& options,
                  const std::string& format);

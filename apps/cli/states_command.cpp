@@ -130,6 +130,12 @@ int failed(Console& console, const Error& error, const SearchWatch& watch) {
 /// Writes what was asked for; kDone where nothing was.
 int writeChosen(Console& console, const PatternInput& input, const StatesOptions& options,
                 const StatesAnswer& answer, SearchWatch& watch) {
+  const bool isImpossible = answer.total && *answer.total == 0;
+  if (isImpossible && !options.out.empty()) {
+    const Result<StatesFile> file = fileOf(options);
+    if (!file.isOk()) return fail(console, file.error(), kBadUsage);
+    return isPicture(file->format) ? writeConflictPicture(console, input, answer, *file) : kDone;
+  }
   if (!answer.exist() || (options.isAll && !answer.total)) return kDone;
   if (options.out.empty() && options.state.empty()) return kDone;
   const Result<std::vector<ChosenState>> states = chooseStates(options, answer, watch);
@@ -177,8 +183,11 @@ int run(Console& console, const StatesOptions& options) {
   if (said != kDone) return said;
   if (!answer->stopped.empty()) return fail(console, kLimitMet, answer->stopped);
   if (!options.out.empty() && !answer->exist()) {
+    const Result<StatesFile> file = fileOf(options);
+    const bool isDrawn = file.isOk() && isPicture(file->format);
     return fail(console, kBadModel,
-                input->name + ": no state exists, so " + options.out + " was not written");
+                input->name + ": no state exists; " + options.out +
+                    (isDrawn ? " shows why" : " was not written"));
   }
   return options.setsCode && !answer->exist() ? kVerdictNo : kDone;
 }
@@ -199,11 +208,12 @@ void addStatesOptions(CLI::App& command, StatesOptions& options) {
   command.add_flag("--json", options.isJson, "one JSON object, for programs");
   command
       .add_option("-o,--output", options.out,
-                  "file for the states: FOLD, a picture, or pictures with a number: state_%04d.png")
+                  "file for the states: FOLD, a model, a picture, or pictures with a number: "
+                  "state_%04d.png")
       ->type_name("OUT");
   command
       .add_option("--format", options.format,
-                  "fold, svg, png or pdf (default: by the ending of OUT)")
+                  "fold, kiri, svg, png or pdf (default: by the ending of OUT)")
       ->type_name("FORMAT");
   command.add_option("--dpi", options.dpi, "pixels per inch of a PNG (default 200)")
       ->type_name("N");

@@ -1,4 +1,4 @@
-// Folded states as files: FOLD, pictures.
+// Folded states as files: FOLD, models, pictures.
 // SPDX-License-Identifier: MIT
 #include "apps/cli/states_output.h"
 
@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "apps/cli/numbered_files.h"
+#include "apps/cli/pattern_import.h"
+#include "apps/cli/picture_options.h"
 #include "core/flatfold/polish.h"
 #include "core/paper/boxes.h"
+#include "io/kiri_writer.h"
 #include "io/patterns/states_fold.h"
-#include "render/canvas/write.h"
 #include "render/scene/model_scene.h"
+#include "render/scene/pattern_check_scene.h"
 
 namespace kiri::cli {
 
@@ -40,9 +43,7 @@ Result<std::string> pictureOf(const PatternInput& input, const AssignedPattern& 
       modelScene(folded, Appearance{}, frontSpec(),
                  {kMargin, scale, input.title + ", " + titleOf(state, answer), {}, {}, progress});
   if (!scene.isOk()) return scene.error();
-  if (file.format == "svg") return writeSvg(*scene);
-  if (file.format == "pdf") return writePdf(*scene);
-  return writePng(*scene, {file.dpi});
+  return pictureBytes(*scene, file.format, file.dpi);
 }
 
 int writePictures(Console& console, const PatternInput& input, const StatesAnswer& answer,
@@ -87,10 +88,46 @@ int writeFrames(Console& console, const PatternInput& input, const StatesAnswer&
 
 }  // namespace
 
-std::vector<std::string> stateFormats() { return {"fold", "svg", "png", "pdf"}; }
+namespace {
+
+int writeModel(Console& console, const PatternInput& input, const StatesAnswer& answer,
+               const ChosenState& state, const StatesFile& file, const Progress& progress) {
+  const Result<Model> model = modelInState(console, input, *answer.report.map,
+                                           answer.states->problem(), state.values, progress);
+  if (!model.isOk()) return fail(console, model.error());
+  return writeResult(console, file.path, writeKiri(*model));
+}
+
+}  // namespace
+
+bool isPicture(const std::string& format) { return format != "fold" && format != "kiri"; }
+
+int writeConflictPicture(Console& console, const PatternInput& input, const StatesAnswer& answer,
+                         const StatesFile& file) {
+  PatternCheckOptions options;
+  options.title = input.title;
+  options.verdict = verdictOf(answer.report);
+  if (!answer.report.map) options.verdict += "; " + closingOf(answer.report, input.unit);
+  const Appearance appearance;
+  Scene scene = answer.states && answer.report.map
+                    ? orderConflictScene(input.creases, *answer.report.map,
+                                         answer.states->conflict(), appearance, options)
+                    : patternCheckScene(input.creases, answer.report.faults, input.repairs,
+                                        appearance, options);
+  scene.background = Color{255, 255, 255};
+  const Result<std::string> bytes = pictureBytes(scene, file.format, file.dpi);
+  if (!bytes.isOk()) return fail(console, bytes.error());
+  const std::optional<NumberedPath> path = numberedPath(file.path);
+  return writeResult(console, path ? path->at(0) : file.path, *bytes);
+}
+
+std::vector<std::string> stateFormats() { return {"fold", "kiri", "svg", "png", "pdf"}; }
 
 Status checkStatesFile(const StatesFile& file, bool isSeveral) {
-  if (file.format == "fold" || !isSeveral || numberedPath(file.path)) return std::monostate{};
+  if (file.format == "fold" || !isSeveral) return std::monostate{};
+  if (file.format == "kiri")
+    return Error{ErrorCode::BadValue, "a .kiri file takes one state; choose it with --state"};
+  if (numberedPath(file.path)) return std::monostate{};
   return Error{ErrorCode::BadValue,
                file.path +
                    " has no place for the numbers of the states; write one like state_%04d." +
@@ -102,6 +139,8 @@ int writeStatesFile(Console& console, const PatternInput& input, const StatesAns
                     SearchWatch& watch) {
   return watch.part("writing", [&](const Progress& progress) {
     if (file.format == "fold") return writeFrames(console, input, answer, states, file);
+    if (file.format == "kiri")
+      return writeModel(console, input, answer, states.front(), file, progress);
     return writePictures(console, input, answer, states, file, progress);
   });
 }

@@ -1,4 +1,4 @@
-// Folded states as files: FOLD, pictures.
+// Folded states as files: FOLD, models, pictures.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -24,6 +24,8 @@ struct StatesFile {
 /// What states are written as.
 std::vector<std::string> stateFormats();
 
+bool isPicture(const std::string& format);
+
 /// Mistakes about the file that can be told before any work is done. `isSeveral`: more states than
 /// one may have to be written.
 Status checkStatesFile(const StatesFile& file, bool isSeveral);
@@ -33,5 +35,10 @@ Status checkStatesFile(const StatesFile& file, bool isSeveral);
 int writeStatesFile(Console& console, const PatternInput& input, const StatesAnswer& answer,
                     const std::vector<ChosenState>& states, const StatesFile& file,
                     SearchWatch& watch);
+
+/// Why there is no state, drawn: the facets that cannot be ordered, or where the pattern does not
+/// fold. Requires a format that is a picture.
+int writeConflictPicture(Console& console, const PatternInput& input, const StatesAnswer& answer,
+                         const StatesFile& file);
 
 }  // namespace kiri::cli

@@ -4,40 +4,14 @@
 """Skipped with a printed reason (exit code 77) where the validator cannot be had; fails then when CI is set."""
 
 import json
-import os
 import struct
 import subprocess
-import sys
 import tempfile
 import unittest
 import zlib
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-HERE = Path(__file__).resolve().parent
-BUILD = Path(os.environ.get("KIRI_BINARY_DIR", ROOT / "build/release"))
-PROGRAM = os.environ.get("KIRI_PROGRAM", str(BUILD / "kiri"))
-SKIPPED = 77
-
-
-def install():
-    """The folder that holds the validator, or a sentence that says why it cannot be had."""
-    folder = BUILD / "foreign"
-    wanted = (HERE / "package.json").read_bytes()
-    stamp = folder / "installed.json"
-    if stamp.is_file() and stamp.read_bytes() == wanted:
-        return folder, None
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "package.json").write_bytes(wanted)
-    try:
-        run = subprocess.run(["npm", "install", "--no-package-lock", "--no-audit", "--no-fund"], cwd=folder,
-                             capture_output=True, text=True, timeout=300)
-    except (OSError, subprocess.TimeoutExpired) as problem:
-        return None, f"npm could not be run: {problem}"
-    if run.returncode != 0:
-        return None, "npm could not install gltf-validator: " + run.stderr.strip()[-1000:]
-    stamp.write_bytes(wanted)
-    return folder, None
+from npm_packages import HERE, PROGRAM, ROOT, installed_or_exit
 
 
 def png(width, height, alpha):
@@ -141,11 +115,5 @@ class Gltf(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    Gltf.validator, reason = install()
-    if Gltf.validator is None:
-        print(reason)
-        if os.environ.get("CI"):
-            sys.exit("the validator must be there where CI is set")
-        print("skipped: the glTF files were not validated")
-        sys.exit(SKIPPED)
+    Gltf.validator = installed_or_exit()
     unittest.main()

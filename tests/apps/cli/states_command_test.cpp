@@ -45,6 +45,22 @@ TEST_F(CheckCommand, NamesVertexRuleAndAmountOfEveryFault) {
   EXPECT_NEAR(report["faults"][0]["amount"].get<double>(), 7, 1e-9);
 }
 
+TEST_F(CheckCommand, DrawsTheFaults) {
+  const std::string file = put("bad.cp", starAsCp(7));
+  for (const std::string ending : {"svg", "png", "pdf"}) {
+    const PatternAnswer answer = runKiri({"check", file, "-o", path("o." + ending)});
+    EXPECT_EQ(answer.code, kDone) << answer.err;
+    EXPECT_TRUE(contains(answer.out, "1 vertex does not fold flat"));
+    EXPECT_GT(get("o." + ending).size(), 1000u);
+  }
+  EXPECT_TRUE(contains(get("o.svg"), "Kawasaki 7"));
+  EXPECT_TRUE(contains(runKiri({"check", file, "-o", "-", "--format", "svg"}).out, "</svg>"));
+  EXPECT_EQ(runKiri({"check", file, "-o", path("o.gif")}).code, kBadUsage);
+  EXPECT_EQ(runKiri({"check", file, "-o", "-", "--format", "svg", "--json"}).code, kBadUsage);
+  EXPECT_EQ(runKiri({"check", file, "-o", path("n.svg")}, {"", false, 0}).code, kCancelled);
+  EXPECT_EQ(fileCount(), 4u);
+}
+
 TEST_F(CheckCommand, CountsWhatItRepaired) {
   const std::string file = put("twice.cp", starAsCp(0) + "2 0 0 0 -50\n2 5 5 5 5\n");
   const PatternAnswer answer = runKiri({"check", file, "--json"});
@@ -132,6 +148,14 @@ TEST_F(StatesCommand, WritesPicturesOfOneStateOrOfMany) {
   EXPECT_TRUE(contains(get("s_02.svg"), "<svg"));
 }
 
+TEST_F(StatesCommand, WritesAModelInTheState) {
+  const std::string file = put("map.fold", mapAsFold("U"));
+  ASSERT_EQ(runKiri({"states", file, "--state", "33", "-o", path("s.kiri")}).code, kDone);
+  ASSERT_EQ(runKiri({"convert", file, path("c.kiri"), "--state", "33"}).code, kDone);
+  EXPECT_EQ(json::parse(get("s.kiri"))["steps"], json::parse(get("c.kiri"))["steps"]);
+  EXPECT_EQ(runKiri({"states", file, "--all", "-o", path("s.kiri")}).code, kBadUsage);
+}
+
 TEST_F(StatesCommand, SaysWhyThereIsNone) {
   // All creases of one vertex as mountains: Maekawa is broken, no order exists.
   std::string all = starAsCp(0);
@@ -140,8 +164,10 @@ TEST_F(StatesCommand, SaysWhyThereIsNone) {
   const PatternAnswer answer = runKiri({"states", file, "-o", path("o.fold")});
   EXPECT_EQ(answer.code, kBadModel);
   EXPECT_TRUE(contains(answer.out, "\nno folded state: ")) << answer.out;
-  EXPECT_TRUE(contains(answer.err, "no state exists, so ")) << answer.err;
+  EXPECT_TRUE(contains(answer.err, "no state exists; ")) << answer.err;
   EXPECT_EQ(fileCount(), 1u);
+  EXPECT_EQ(runKiri({"states", file, "-o", path("why.svg")}).code, kBadModel);
+  EXPECT_TRUE(contains(get("why.svg"), "folded-facets")) << "the picture shows the conflict";
   const json report = json::parse(runKiri({"states", file, "--json"}).out);
   EXPECT_EQ(report["states"], "0");
   EXPECT_EQ(report["locally_flat_foldable"], false);
