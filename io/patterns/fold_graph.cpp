@@ -133,7 +133,7 @@ class GraphReader {
     if (letters == nullptr) countFaces(edges, beside);
     for (std::size_t i = 0; i < edges.items.size(); ++i) {
       const JsonValue& ends = edges.items[i];
-      FoldEdge edge;
+      FoldGraphEdge edge;
       if (!ends.is(Kind::Array) || ends.items.size() != 2) {
         badEdges_.add(i);
         continue;
@@ -191,7 +191,7 @@ class GraphReader {
   }
 
   void readMeaning(const JsonValue* letters, const JsonValue* angles, std::size_t i,
-                   FoldEdge& edge) {
+                   FoldGraphEdge& edge) {
     std::optional<double> angle = angleOf(angles, i);
     const char letter = letterOf(letters, i);
     switch (letter) {
@@ -230,7 +230,7 @@ class GraphReader {
     }
   }
 
-  void assignWithoutLetter(std::optional<double> angle, std::size_t i, FoldEdge& edge) {
+  void assignWithoutLetter(std::optional<double> angle, std::size_t i, FoldGraphEdge& edge) {
     edge.angle = angle;
     if (i < faceCounts_.size() && faceCounts_[i] == 1) {
       edge.assignment = Assignment::Border;
@@ -300,7 +300,7 @@ class GraphReader {
   void measure() {
     Vec3 low = graph_.vertices[graph_.edges.front().from];
     Vec3 high = low;
-    for (const FoldEdge& edge : graph_.edges) {
+    for (const FoldGraphEdge& edge : graph_.edges) {
       for (const std::uint32_t v : {edge.from, edge.to}) {
         const Vec3 p = graph_.vertices[v];
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -333,8 +333,9 @@ bool isLevel(const FoldGraph& graph) {
   const auto isAway = [&](std::uint32_t v) {
     return std::abs(graph.vertices[v].z - level) > allowed;
   };
-  return std::none_of(graph.edges.begin(), graph.edges.end(),
-                      [&](const FoldEdge& edge) { return isAway(edge.from) || isAway(edge.to); });
+  return std::none_of(graph.edges.begin(), graph.edges.end(), [&](const FoldGraphEdge& edge) {
+    return isAway(edge.from) || isAway(edge.to);
+  });
 }
 
 double doubledArea(const FoldGraph& graph, const std::vector<std::uint32_t>& face) {

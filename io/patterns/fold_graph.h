@@ -15,7 +15,7 @@
 namespace kiri {
 
 /// An edge between two vertices, by position.
-struct FoldEdge {
+struct FoldGraphEdge {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
   Assignment assignment = Assignment::Unassigned;
@@ -25,7 +25,7 @@ struct FoldEdge {
 /// The arrays of a frame. Every index is good, every used vertex has a place.
 struct FoldGraph {
   std::vector<Vec3> vertices;
-  std::vector<FoldEdge> edges;
+  std::vector<FoldGraphEdge> edges;
   /// Runs of vertices, in the order of the file; empty when the frame has none that can be used.
   std::vector<std::vector<std::uint32_t>> faces;
   bool isAssigned = true;  ///< the file has assignments or angles

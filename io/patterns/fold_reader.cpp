@@ -92,7 +92,7 @@ class PatternFinder {
 
 void addEdges(const FoldGraph& graph, CreaseDrawing& drawing) {
   drawing.lines.reserve(graph.edges.size());
-  for (const FoldEdge& edge : graph.edges) {
+  for (const FoldGraphEdge& edge : graph.edges) {
     drawing.lines.push_back({flatten(graph.vertices[edge.from]), flatten(graph.vertices[edge.to]),
                              edge.assignment, edge.angle});
   }

@@ -61,7 +61,7 @@ class Unroller {
     out.faces.resize(faces_.size());
     shareVertices(out);
     std::size_t stray = 0;
-    for (const FoldEdge& edge : form_.edges) stray += addEdge(edge, out) ? 0u : 1u;
+    for (const FoldGraphEdge& edge : form_.edges) stray += addEdge(edge, out) ? 0u : 1u;
     notes.push_back("the frame is a folded form; its " + std::to_string(faces_.size()) +
                     " faces were rolled out in the plane along their edges");
     if (widest_ > Tolerance(form_.size).pick()) {
@@ -229,7 +229,7 @@ class Unroller {
   }
 
   /// Draws an edge where its faces lie. False when it has no face.
-  bool addEdge(const FoldEdge& edge, FoldGraph& out) {
+  bool addEdge(const FoldGraphEdge& edge, FoldGraph& out) {
     const auto at = sides_.find(std::minmax(edge.from, edge.to));
     if (at == sides_.end()) return false;
     std::vector<VertexPair> places;
@@ -241,7 +241,7 @@ class Unroller {
       if (form_.faces[s.face][s.side] != edge.from) std::swap(ends.first, ends.second);
       if (std::find(places.begin(), places.end(), ends) == places.end()) places.push_back(ends);
     }
-    FoldEdge drawn = edge;
+    FoldGraphEdge drawn = edge;
     if (places.size() > 1 && edge.assignment != Assignment::Cut) ++parted_;
     if (places.size() > 1) {
       drawn.assignment = Assignment::Border;
@@ -258,7 +258,7 @@ class Unroller {
   }
 
   /// The fold angle that the form itself shows; none of which sign where it is folded flat.
-  void assignFromForm(const std::vector<FaceSide>& beside, FoldEdge& edge) {
+  void assignFromForm(const std::vector<FaceSide>& beside, FoldGraphEdge& edge) {
     Vec3 n0 = faces_[beside[0].face].normal;
     Vec3 n1 = faces_[beside[1].face].normal;
     if (isMirrored(beside[0].face)) n0 = -n0;

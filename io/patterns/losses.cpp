@@ -18,7 +18,7 @@ bool hasOwnAngle(const DrawnCrease& line) {
   return canFold && line.angle && std::abs(*line.angle) != kFull;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+std::string countedThings(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
@@ -35,7 +35,8 @@ std::vector<std::string> lossesOf(const PatternFile& file, const FormatRoom& roo
   const auto lose = [&](bool hasRoom, std::size_t count, const std::string& what,
                         const std::string& many, const std::string& became) {
     if (hasRoom || count == 0) return;
-    out.push_back(room.name + " has no " + many + ": " + counted(count, what, many) + " " + became);
+    out.push_back(room.name + " has no " + many + ": " + countedThings(count, what, many) + " " +
+                  became);
   };
   const auto angled =
       static_cast<std::size_t>(std::count_if(lines.begin(), lines.end(), hasOwnAngle));

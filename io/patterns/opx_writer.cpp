@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "io/json_tree.h"
 #include "io/patterns/losses.h"
 #include "io/patterns/opx_format.h"
+#include "io/svg_looks.h"
 
 namespace kiri {
 
@@ -30,23 +32,14 @@ int typeOfOpxLine(Assignment assignment) {
   return 0;
 }
 
-/// The text as XML content. Characters that XML cannot hold at all are left out.
-std::string inXml(const std::string& text) {
+/// The text as XML content; a carriage return would become a line feed when it is read.
+std::string inXml(std::string_view text) {
   std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '\r') {
-      out += "&#13;";
-    } else if (static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t') {
-      out += c;
-    }
+  for (std::size_t at = text.find('\r'); at != std::string_view::npos; at = text.find('\r')) {
+    out += xmlText(text.substr(0, at)) + "&#13;";
+    text.remove_prefix(at + 1);
   }
-  return out;
+  return out + xmlText(text);
 }
 
 /// <void property="x0"><double>1.5</double></void>; nothing for Java's default, 0.

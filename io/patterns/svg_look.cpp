@@ -98,7 +98,7 @@ SvgLook svgLookOf(const pugi::xml_node& element, const SvgValues& values, const 
     look.stated = stated;
   }
   const std::optional<double> angle = numberOf(element.attribute("data-foldAngle").value());
-  constexpr double kMostDegrees = 360;
+  constexpr double kMostDegrees = 180;
   if (angle && std::fabs(*angle) <= kMostDegrees) look.angle = angle;
   for (const std::string_view name : svgClasses(element.attribute("class").value())) {
     if (const auto named = assignmentOfClass(name)) look.named = named;

@@ -56,7 +56,9 @@ TEST(RealFiles, EveryPatternIsRead) {
     show(path, file);
     const bool hasNoPlane = path.filename() == "no-faces.fold";  // a form in space without faces
     EXPECT_EQ(file.isOk(), !hasNoPlane) << path << (file.isOk() ? "" : file.error().message);
-    if (file) EXPECT_FALSE(file->drawing.lines.empty()) << path;
+    if (file) {
+      EXPECT_FALSE(file->drawing.lines.empty()) << path;
+    }
     ++read;
   }
   EXPECT_GT(read, 400);

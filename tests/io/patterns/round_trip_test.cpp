@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "io/patterns/pattern_file.h"
 #include "tests/io/patterns/pattern_texts.h"
@@ -41,13 +44,27 @@ bool isLost(const WrittenPattern& written, const std::string& word) {
   return false;
 }
 
+/// Lines in an order of their own: SVG groups them by what they mean.
+std::vector<DrawnCrease> sortedLines(const PatternFile& file, PatternFormat format) {
+  std::vector<DrawnCrease> out = file.drawing.lines;
+  const auto key = [&](const DrawnCrease& line) {
+    return std::tuple(line.from.x, line.from.y, line.to.x, line.to.y,
+                      afterwards(format, line.assignment), angleMeant(line));
+  };
+  std::sort(out.begin(), out.end(),
+            [&](const DrawnCrease& a, const DrawnCrease& b) { return key(a) < key(b); });
+  return out;
+}
+
 /// Holds when `after` is `before` as that format keeps it.
 void expectKept(const PatternFile& before, const PatternFile& after, PatternFormat format,
                 const WrittenPattern& written) {
   ASSERT_EQ(after.drawing.lines.size(), before.drawing.lines.size());
-  for (std::size_t i = 0; i < before.drawing.lines.size(); ++i) {
-    const DrawnCrease& was = before.drawing.lines[i];
-    const DrawnCrease& is = after.drawing.lines[i];
+  const std::vector<DrawnCrease> linesBefore = sortedLines(before, format);
+  const std::vector<DrawnCrease> linesAfter = sortedLines(after, format);
+  for (std::size_t i = 0; i < linesBefore.size(); ++i) {
+    const DrawnCrease& was = linesBefore[i];
+    const DrawnCrease& is = linesAfter[i];
     EXPECT_EQ(is.from, was.from);
     EXPECT_EQ(is.to, was.to);
     EXPECT_EQ(is.assignment, afterwards(format, was.assignment));
