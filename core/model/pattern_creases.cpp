@@ -40,6 +40,7 @@ class Creasing {
       const Edge& edge = pattern_.edges[e];
       if (edge.kind == EdgeKind::Hinge && edge.left == edge.right) return dangling(edge);
     }
+    if (const Status thick = checkThickness(); !thick) return thick.error();
     return CreasedSheet{std::move(pattern_), first};
   }
 
@@ -245,6 +246,20 @@ class Creasing {
                             : "the border of the sheet") +
             " at " + text(where) + " mm without a vertex; divide it there",
         {where});
+  }
+
+  Status checkThickness() const {
+    for (std::size_t f = 0; f < pattern_.facets.size(); ++f) {
+      const Region region = regionOf(pattern_, FacetId(f));
+      const double width = 2 * areaOf(region) / perimeterOf(region, pattern_.tolerance.length());
+      if (width > pattern_.tolerance.thin()) continue;
+      const Vec2 p = region.loops[0][0].start;
+      return Error{ErrorCode::TooThin,
+                   "the creases leave a sliver of paper at " + text(p) +
+                       " mm that is too thin to be folded; move its corners apart, or together",
+                   {{p}, {}, {}}};
+    }
+    return std::monostate{};
   }
 
   Error dangling(const Edge& edge) const {

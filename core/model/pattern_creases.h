@@ -18,8 +18,9 @@ struct CreasedSheet {
 /// Coordinates stay as they are, to the last bit; a vertex within tolerance.length() of a corner of
 /// the sheet is that corner. Errors: BadValue - `sheet` has more than one facet, a position that is
 /// no vertex, two vertices in one place, creases that cross, touch or repeat each other or leave
-/// the sheet; WouldStretch - a crease that ends inside a facet, where it cannot fold. Each with the
-/// place. Cost: n log n for n creases that are short beside the sheet.
+/// the sheet; WouldStretch - a crease that ends inside a facet, where it cannot fold; TooThin - a
+/// sliver of paper. Each with the place. Cost: n log n for n creases that are short beside the
+/// sheet.
 Result<CreasedSheet> creasedSheet(const CreasePattern& sheet, const PatternStep& step);
 
 }  // namespace kiri

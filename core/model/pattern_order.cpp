@@ -64,6 +64,12 @@ FlatMap mapOf(const FoldedState& folded) {
 Result<GroundAndOrders> groundOf(const FoldedState& folded,
                                  const std::vector<Assignment>& assignments,
                                  const Progress& progress) {
+  if (!folded.pattern.curves.empty()) {
+    return Error{ErrorCode::BadValue,
+                 "layers are searched for on sheets with straight sides only; give the layers, or "
+                 "leave the pattern flat",
+                 {}};
+  }
   AssignedPattern creases(folded.pattern);
   creases.assignments = assignments;
   return overlapsOf(creases, mapOf(folded), progress);
@@ -194,7 +200,7 @@ void directUnassigned(FoldedState& folded, const std::vector<Assignment>& assign
 }
 
 std::optional<Collision> faultOf(const FoldedState& folded) {
-  if (isFlat(folded)) {
+  if (isFlat(folded) && folded.pattern.curves.empty()) {
     const std::optional<std::string> rule = brokenRuleOf(folded);
     if (!rule) return std::nullopt;
     // Where it is, is seen along the hinges; in large patterns that takes long.

@@ -107,7 +107,9 @@ class PatternFolding {
 
   Result<PatternOutcome> run() {
     turn(targets_.angles);
-    if (const double gap = stretchOf(end_); gap > end_.tolerance().length()) return open();
+    const double apart = closureError(end_.pattern, end_.rests, anglesOf(end_.pattern));
+    if (stretchOf(end_) > end_.tolerance().length() || apart > end_.tolerance().match())
+      return open();
     if (const Status ordered = order(); !ordered) return ordered.error();
     directUnassigned(end_, targets_.assignments);
     takeLines();
@@ -127,20 +129,30 @@ class PatternFolding {
     end_.poses = derivePoses(end_.pattern, end_.rests);
   }
 
+  /// The farthest that a corner of the right facet is from where the left one would put it.
+  double misfit(const Edge& edge) const {
+    const Vec2 a = end_.pattern[edge.from];
+    const Vec2 u = normalized(end_.pattern[edge.to] - a);
+    const Rigid turned =
+        compose(end_.poseOf(edge.left), rotationAbout({a.x, a.y, 0}, {u.x, u.y, 0}, -edge.angle));
+    double most = 0;
+    for (const EdgeUse use : end_.pattern[edge.right].border) {
+      const Vec2 p = end_.pattern[startOf(end_.pattern, use)];
+      most = std::max(most, distance(turned.apply(p), end_.poseOf(edge.right).apply(p)));
+    }
+    return most;
+  }
+
   /// The hinge whose sides disagree most.
   Error open() const {
     const Edge* worst = nullptr;
     double most = -1;
     for (const Edge& edge : end_.pattern.edges) {
       if (edge.kind != EdgeKind::Hinge) continue;
-      for (const VertexId v : {edge.from, edge.to}) {
-        const Vec2 p = end_.pattern[v];
-        const double gap =
-            distance(end_.poseOf(edge.left).apply(p), end_.poseOf(edge.right).apply(p));
-        if (gap <= most) continue;
-        most = gap;
-        worst = &edge;
-      }
+      const double gap = misfit(edge);
+      if (gap <= most) continue;
+      most = gap;
+      worst = &edge;
     }
     const Vec2 a = end_.pattern[worst->from];
     const Vec2 b = end_.pattern[worst->to];

@@ -49,6 +49,19 @@ class LineFinder {
     return line;
   }
 
+  /// All its creases, as they lie on the sheet.
+  NextLine operator()(const PatternStep& step) const {
+    NextLine line{LineKind::Flat, {}};
+    const Rigid& pose = state_.poseOf(FacetId(0));
+    const std::size_t count = step.vertices.size();
+    for (const PatternCrease& crease : step.creases) {
+      if (crease.from >= count || crease.to >= count) continue;
+      line.chains.push_back({Arc::line(view_.project(pose.apply(step.vertices[crease.from])),
+                                       view_.project(pose.apply(step.vertices[crease.to])))});
+    }
+    return line;
+  }
+
   template <class Other>
   NextLine operator()(const Other&) const {
     return {};

@@ -367,6 +367,40 @@ TEST(KiriReader, NamesStepAndFieldOfMistakesInOtherSteps) {
   });
 }
 
+TEST(KiriReader, ReadsAPatternWithItsLettersAndAngles) {
+  const PatternStep step = stepOf<PatternStep>(
+      R"({"do": "pattern", "vertices": [[75, 0], [75, 150], [0, 75]], "creases": [[0, 1, "M"], [1, 2, "V", 90], [0, 2, "C"]]})");
+  ASSERT_EQ(step.creases.size(), 3u);
+  EXPECT_EQ(step.creases[0], (PatternCrease{0, 1, Assignment::Mountain, -180}));
+  EXPECT_EQ(step.creases[1], (PatternCrease{1, 2, Assignment::Valley, 90}));
+  EXPECT_EQ(step.creases[2], (PatternCrease{0, 2, Assignment::Cut, 0}));
+  EXPECT_FALSE(step.isFolded);
+  EXPECT_TRUE(step.layers.empty());
+}
+
+TEST(KiriReader, NamesThePlaceOfMistakesInPatterns) {
+  const auto messageOf = [](const std::string& rest) {
+    const Result<LoadedModel> loaded = readKiri(
+        fileWithSteps(R"({"do": "pattern", "vertices": [[75, 0], [75, 150]], )" + rest + "}"),
+        "f.kiri");
+    return loaded.isOk() ? "" : loaded.error().message;
+  };
+  const auto names = [&](const std::string& rest, const char* part) {
+    const std::string message = messageOf(rest);
+    return message.find(part) != std::string::npos && message.rfind("f.kiri:5:", 0) == 0
+               ? testing::AssertionSuccess()
+               : testing::AssertionFailure() << message;
+  };
+  EXPECT_TRUE(names(R"("creases": [[0, 2, "V"]])", "\"creases[0][1]\" is 2"));
+  EXPECT_TRUE(names(R"("creases": [[0, 0.5, "V"]])", "\"creases[0][1]\""));
+  EXPECT_TRUE(names(R"("creases": [[0, 1, "B"]])", "\"creases[0][2]\""));
+  EXPECT_TRUE(names(R"("creases": [[0, 1]])", "\"creases[0]\""));
+  EXPECT_TRUE(names(R"("creases": [[0, 1, "V", 200]])", "\"creases[0][3]\" is 200"));
+  EXPECT_TRUE(names(R"("creases": 5)", "\"creases\""));
+  EXPECT_TRUE(names(R"("folded": true)", "\"creases\""));
+  EXPECT_TRUE(names(R"("creases": [], "exceptions": [[1, 2]])", "\"exceptions[0][0]\""));
+}
+
 TEST(KiriReader, RefusesHugeFilesWithASentence) {
   expectSentences({
       {std::string(std::size_t{101} << 20, ' '), "the file has 101 MB, at most 64 MB are read"},

@@ -247,5 +247,30 @@ TEST(History, KeepsTitlesAndUnknownFields) {
   EXPECT_EQ(history.model().steps[1].unknown, "{\"x\":1}");
 }
 
+TEST(History, LinesOfAPatternAreCalledByItsNewName) {
+  Model model = modelOf("square 100; angle crease_1 90; unfold");
+  std::get<AngleStep>(model.steps[0].action).line = std::string("crease 1");
+  PatternStep pattern;
+  pattern.vertices = {{50, 0}, {50, 100}};
+  pattern.creases = {{0, 1, Assignment::Valley, 180}};
+  pattern.isFolded = true;
+  Step first;
+  first.action = pattern;
+  model.steps.insert(model.steps.begin(), first);
+  History history = History::open(model).value();
+  EXPECT_FALSE(history.problemOf(1).has_value());
+  std::get<PatternStep>(first.action).name = "book";
+  ASSERT_TRUE(history.edit(0, first).isOk());
+  EXPECT_EQ(std::get<AngleStep>(history.model().steps[1].action).line,
+            FoldLineName(std::string("book 1")));
+  EXPECT_FALSE(history.problemOf(1).has_value());
+  // Flat, its lines are still there to be folded.
+  std::get<PatternStep>(first.action).isFolded = false;
+  ASSERT_TRUE(history.edit(0, first).isOk());
+  EXPECT_FALSE(history.problemOf(1).has_value());
+  EXPECT_TRUE(history.undo());
+  EXPECT_DOUBLE_EQ(amountOf(history.state(), "book 1"), 90);
+}
+
 }  // namespace
 }  // namespace kiri::test
