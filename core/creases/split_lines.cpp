@@ -144,7 +144,7 @@ std::optional<std::uint32_t> endNear(const LineMap& map, const LineCrossing& cro
 
 void divideAtCrossings(LineMap& map, const std::vector<LineCrossing>& crossings,
                        const RepairScale& scale, RepairLog& log) {
-  NearPoints added(map.points.front(), scale.within);
+  NearPoints added(map.points.empty() ? Vec2{} : map.points.front(), scale.within);
   const std::size_t before = map.points.size();
   std::vector<LineDivision> divisions;
   divisions.reserve(2 * crossings.size());

@@ -14,6 +14,7 @@
 #include "io/patterns/fold_units.h"
 #include "io/patterns/fold_unroll.h"
 #include "io/patterns/plain_number.h"
+#include "io/patterns/tally.h"
 
 namespace kiri {
 
@@ -90,12 +91,24 @@ class PatternFinder {
   int tries_ = 0;
 };
 
-void addEdges(const FoldGraph& graph, CreaseDrawing& drawing) {
-  drawing.lines.reserve(graph.edges.size());
-  for (const FoldGraphEdge& edge : graph.edges) {
-    drawing.lines.push_back({flatten(graph.vertices[edge.from]), flatten(graph.vertices[edge.to]),
-                             edge.assignment, edge.angle});
+bool isDrawablePoint(Vec2 p) { return isDrawable(p.x) && isDrawable(p.y); }
+
+/// A huge form may roll out beyond what can be drawn: such lines are left out, and all faces.
+void addEdges(FoldGraph& graph, PatternFile& file) {
+  Tally beyond;
+  file.drawing.lines.reserve(graph.edges.size());
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const FoldGraphEdge& edge = graph.edges[i];
+    const Vec2 from = flatten(graph.vertices[edge.from]);
+    const Vec2 to = flatten(graph.vertices[edge.to]);
+    if (isDrawablePoint(from) && isDrawablePoint(to)) {
+      file.drawing.lines.push_back({from, to, edge.assignment, edge.angle});
+    } else {
+      beyond.add(i);
+    }
   }
+  beyond.tell(file.notes, "edge", "edges", "too far away to be drawn; left out, with all faces");
+  if (beyond.count() > 0) graph.faces.clear();
 }
 
 void addFaces(const FoldGraph& graph, CreaseDrawing& drawing) {
@@ -214,7 +227,10 @@ Result<PatternFile> readFoldPattern(std::string_view text, std::string_view file
     }
     found->graph = std::move(rolled).value();
   }
-  addEdges(found->graph, file.drawing);
+  addEdges(found->graph, file);
+  if (file.drawing.lines.empty()) {
+    return Error{ErrorCode::BadFile, name + ": no edge of the file can be drawn"};
+  }
   addFaces(found->graph, file.drawing);
   file.title = frameText(found->frame, *document, "file_title", "frame_title");
   file.author = frameText(found->frame, *document, "file_author", "frame_author");
