@@ -21,7 +21,7 @@ namespace {
 
 /// Curves become lines no farther from them than this part of the drawing's diagonal.
 constexpr double kCurvesWithin = 1.0 / 2000;
-constexpr std::size_t kMostLines = 3'000'000;
+constexpr std::size_t kMostLines = 1'000'000;
 
 Vec2 mirrored(Vec2 p) { return {p.x, p.y == 0 ? 0 : -p.y}; }
 
@@ -45,6 +45,7 @@ class BoxOfPoints {
 std::vector<Vec2> cornersOf(const SvgChain& chain, double within) {
   std::vector<Vec2> corners{chain.arcs.front().start};
   for (const Arc& arc : chain.arcs) {
+    if (corners.size() > kMostLines) break;  // the caller refuses it
     if (arc.start != corners.back()) corners.push_back(arc.start);
     if (!arc.isCurved || !(within > 0)) {
       corners.push_back(arc.end);
@@ -92,7 +93,7 @@ class SvgPatternMaker {
       if (file_.drawing.lines.size() > kMostLines) {
         return Error{ErrorCode::BadFile,
                      fileName_ +
-                         ": more than 3 million lines once curves are flattened; this is "
+                         ": more than a million lines once curves are flattened; this is "
                          "no crease pattern that can be folded"};
       }
     }

@@ -210,6 +210,8 @@ std::string_view localName(std::string_view name) {
 }
 
 std::vector<std::string_view> svgClasses(std::string_view text) {
+  constexpr std::size_t kLongest = 4096;  // nobody has more to say; hostile files may
+  text = text.substr(0, kLongest);
   std::vector<std::string_view> found;
   while (!(text = cssTrimmed(text)).empty()) {
     std::size_t length = 0;
@@ -260,7 +262,8 @@ void SvgStyleSheet::addRule(std::string_view selectors, std::string_view body) {
     const std::size_t end = std::min(selectors.find(','), selectors.size());
     std::optional<std::vector<Compound>> parts = selectorOf(selectors.substr(0, end));
     selectors.remove_prefix(std::min(end + 1, selectors.size()));
-    if (!parts) {
+    constexpr std::size_t kMostRules = 20'000;
+    if (!parts || rules_.size() == kMostRules) {
       ++leftOut_;
       continue;
     }
@@ -302,7 +305,7 @@ SvgValues SvgStyleSheet::valuesOf(const pugi::xml_node& element, std::size_t& ef
   }
   const std::string_view classText = element.attribute("class").value();
   const auto tryRules = [&](const std::vector<std::size_t>& rules) {
-    effort += rules.size() * (1 + classText.size() / 16);
+    effort += rules.size() * (1 + std::min<std::size_t>(classText.size(), 4096) / 16);
     for (const std::size_t r : rules) {
       const Rule& rule = rules_[r];
       if (!matchesOne(rule.parts.back(), element) || !matchesAround(rule.parts, element, effort)) {
@@ -318,7 +321,10 @@ SvgValues SvgStyleSheet::valuesOf(const pugi::xml_node& element, std::size_t& ef
   if (!rules_.empty()) {
     tryRules(forAll_);
     tryIndex(byTag_, localName(element.name()));
-    for (const std::string_view name : svgClasses(classText)) tryIndex(byClass_, name);
+    std::vector<std::string_view> classes = svgClasses(classText);
+    std::sort(classes.begin(), classes.end());
+    classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+    for (const std::string_view name : classes) tryIndex(byClass_, name);
     tryIndex(byId_, element.attribute("id").value());
   }
   for (const Declaration& one : declarationsOf(element.attribute("style").value())) {

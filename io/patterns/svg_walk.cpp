@@ -20,7 +20,7 @@ constexpr int kDeepestUse = 20;               // <use> within <use>
 constexpr std::size_t kMostCopied = 500'000;  // elements shown through <use>
 constexpr std::size_t kMostChains = 2'000'000;
 constexpr std::size_t kMostArcs = 4'000'000;
-constexpr std::size_t kMostEffort = 100'000'000;
+constexpr std::size_t kMostEffort = 10'000'000;
 
 bool isOneOf(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::find(names.begin(), names.end(), name) != names.end();
