@@ -39,6 +39,23 @@ std::vector<LeafRay> readRays(const std::optional<Field>& field) {
   return rays;
 }
 
+SecondaryLobes readSecondary(const Field& field) {
+  Fields fields(field);
+  SecondaryLobes lobes;
+  if (const auto at = fields.require("at", "where they leave the mid-vein, 0 to 1")) {
+    lobes.at = at->number({0, 1, true});
+  }
+  if (const auto antiVein = fields.require("antiVein", "from the junction to the sinus")) {
+    lobes.antiVein = readRay(*antiVein);
+  }
+  if (const auto vein = fields.require("vein", "from the junction to the tip")) {
+    lobes.vein = readRay(*vein);
+  }
+  lobes.isTorn = fields.flag("torn", false);
+  fields.finish();
+  return lobes;
+}
+
 void readBody(Fields& fields, LeafRecipe& recipe) {
   recipe.title = fields.text("title");
   recipe.notes = fields.text("notes");
@@ -51,6 +68,9 @@ void readBody(Fields& fields, LeafRecipe& recipe) {
   recipe.antiVeins = readRays(fields.require("antiVeins", "one before each vein, outward"));
   if (const auto base = fields.require("base", "the basal edge, {\"angle\": .., \"length\": ..}")) {
     recipe.base = readRay(*base);
+  }
+  if (const auto secondary = fields.find("secondary")) {
+    recipe.secondary = readSecondary(*secondary);
   }
   if (const auto paper = fields.find("paper")) {
     Model model;

@@ -16,6 +16,13 @@ void renewRests(FoldedState& state) {
     Rest& home = rests[piece[rest.facet.index]];
     if (!home.facet.isValid()) home = rest;
   }
+  // What was cut off a facet that rests goes on resting.
+  for (const Rest& rest : state.rests) {
+    for (std::size_t f = 0; f < piece.size(); ++f) {
+      Rest& home = rests[piece[f]];
+      if (!home.facet.isValid() && state.poses[f] == rest.pose) home = Rest{FacetId(f), rest.pose};
+    }
+  }
   for (std::size_t f = 0; f < piece.size(); ++f) {
     if (!rests[piece[f]].facet.isValid()) rests[piece[f]] = {FacetId(f), state.poses[f]};
   }

@@ -8,8 +8,9 @@
 
 namespace kiri {
 
-/// One rest for each piece: the first old one of those that lie in it, else its lowest facet as it
-/// lies. Poses are derived anew. Requires poses that fit the facets.
+/// One rest for each piece: the first old one of those that lie in it, else a facet that lies as
+/// one of them (a part of it), else its lowest facet as it lies. Poses are derived anew. Requires
+/// poses that fit the facets.
 void renewRests(FoldedState& state);
 
 /// The state without the facets for which `keep` is false; everything else stays where it lies.

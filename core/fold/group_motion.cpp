@@ -157,26 +157,35 @@ FoldedState endOf(const FoldedState& start, const std::shared_ptr<const RigidPat
   return end;
 }
 
-/// Line by line says how the paper comes to lie. It moves all at once where it can without meeting
-/// itself on the way, or where that is the only way.
+/// Line by line says how the paper comes to lie, where it meets nothing on the way. It moves all at
+/// once where that is free, or the only way that is, or the only way there is.
 Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wanted>& wanted,
                                  Movements* record, const Progress& progress) {
   Movements oneByOne;
   Result<FoldedState> end =
       moveInAnyOrder(start, wanted, record != nullptr ? &oneByOne : nullptr, progress);
-  const bool isStopped = !end && end.error().code == ErrorCode::Cancelled;
-  if (isStopped || (end && record == nullptr)) return end;
+  if (!end && end.error().code == ErrorCode::Cancelled) return end;
+  const bool isFree = end && end->collisions.size() == start.collisions.size();
+  if (isFree && record == nullptr) return end;
   const std::shared_ptr<const RigidPath> path = pathFor(start, wanted);
-  if (!end && path != nullptr) end = endOf(start, path, wanted);
-  if (!end || record == nullptr) return end;
-  if (path != nullptr) {
-    Movement atOnce = movementAlong(start, path, *end);
-    if (oneByOne.empty() || collisionsOnTheWay(atOnce, wanted.front().first).empty()) {
-      record->push_back(std::move(atOnce));
-      return end;
+  if (path == nullptr) {
+    if (end && record != nullptr) record->insert(record->end(), oneByOne.begin(), oneByOne.end());
+    return end;
+  }
+  if (!isFree) {
+    FoldedState atOnce = endOf(start, path, wanted);
+    if (!end || atOnce.collisions.size() < end->collisions.size()) {
+      end = std::move(atOnce);
+      oneByOne.clear();
     }
   }
-  record->insert(record->end(), oneByOne.begin(), oneByOne.end());
+  if (record == nullptr) return end;
+  Movement motion = movementAlong(start, path, *end);
+  if (oneByOne.empty() || collisionsOnTheWay(motion, wanted.front().first).empty()) {
+    record->push_back(std::move(motion));
+  } else {
+    record->insert(record->end(), oneByOne.begin(), oneByOne.end());
+  }
   return end;
 }
 

@@ -144,8 +144,8 @@ Movement movementAlong(const FoldedState& start, std::shared_ptr<const RigidPath
   Unfolding how{std::move(path), start.rests, {}};
   const std::vector<std::uint32_t> piece = piecesOf(start.pattern);
   for (Rest& rest : how.from) {
-    double least = HUGE_VAL;
     FacetId held = rest.facet;
+    double least = apart(start.pattern, held, start.poseOf(held), end.poseOf(held));
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const FacetId f(i);
       if (piece[i] != piece[rest.facet.index]) continue;

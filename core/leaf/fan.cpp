@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/leaf/fan.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -74,24 +73,6 @@ Status checkFolded(const std::vector<FanRay>& fan) {
   return std::monostate{};
 }
 
-/// One curve cuts all: along it lengths must fall as folded directions rise.
-Status checkMargin(std::vector<FanRay> fan) {
-  std::sort(fan.begin(), fan.end(), [](const FanRay& a, const FanRay& b) {
-    return a.folded != b.folded ? a.folded < b.folded : a.angle < b.angle;
-  });
-  for (std::size_t i = 1; i < fan.size(); ++i) {
-    const FanRay& before = fan[i - 1];
-    const FanRay& after = fan[i];
-    const bool isSameWay = after.folded - before.folded <= kSameAngle;
-    if (isSameWay ? after.length == before.length : after.length < before.length) continue;
-    return badRay("no single margin cuts " + described(before) + " at " + text(before.length) +
-                  " and " + described(after) + " at " + text(after.length) +
-                  ": folded, they lie at " + text(before.folded) + " and " + text(after.folded) +
-                  " degrees, and the margin must come nearer to the petiole from one to the next");
-  }
-  return std::monostate{};
-}
-
 }  // namespace
 
 Result<std::vector<FanRay>> fanOf(const LeafRecipe& recipe) {
@@ -108,7 +89,6 @@ Result<std::vector<FanRay>> fanOf(const LeafRecipe& recipe) {
   }
   if (Status status = checkRays(recipe, fan); !status) return status.error();
   if (Status status = checkFolded(fan); !status) return status.error();
-  if (Status status = checkMargin(fan); !status) return status.error();
   return fan;
 }
 

@@ -23,8 +23,7 @@ struct FanRay {
 
 /// The rays from the mid-vein to the basal edge. Errors: BadValue - with the ray and the remedy:
 /// rays missing or out of order, lengths that are none, a flap that would be folded past the
-/// mid-vein into the other half, lengths that no single margin curve can cut (along it they must
-/// fall as the folded direction turns away from the mid-vein). Source: thesis 3.4, 7.1.
+/// mid-vein into the other half. Source: thesis 3.4, 7.1.
 Result<std::vector<FanRay>> fanOf(const LeafRecipe& recipe);
 
 /// The lengths that one straight cut through the folded leaf would give: the line nearest to the

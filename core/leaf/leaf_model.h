@@ -14,11 +14,12 @@ struct LeafModel {
   std::vector<FanRay> fan;
 };
 
-/// The square sheet, a fold along the mid-vein, for a petiole inside a cut along the basal edges,
-/// folds along anti-veins and veins in one half and then in the other, one margin through all
-/// layers, and unfolding (thesis Figures 7.2 and 7.3). The sheet is the least square, in whole
-/// centimetres, that holds the leaf. Errors: those of fanOf; BadValue - a length of the mid-vein
-/// that is none.
+/// A square sheet in whole centimetres. Without secondary lobes: a fold along the mid-vein, for a
+/// petiole inside a cut along the basal edges, folds along anti-veins and veins in one half and
+/// then in the other, one margin through all layers, and unfolding (thesis Figures 7.2 and 7.3).
+/// With them: all creases at once, on a sheet without the wedge below the petiole, or with a tear
+/// (Fig 7.4). Errors: those of fanOf and marginKnots; BadValue - a length of the mid-vein that is
+/// none, creases that meet inside the sheet.
 Result<LeafModel> leafModelOf(const LeafRecipe& recipe);
 
 }  // namespace kiri

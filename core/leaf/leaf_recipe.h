@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,18 @@ enum class Petiole {
   Inside,  ///< inside the sheet, opened by a straight cut along the basal edge
 };
 
+/// A pair of lobes on the mid-lobe, alike on both sides: only what has its mirror image can be
+/// folded (thesis 7.1, case c). Angles are from the outer mid-vein at the junction, lengths from
+/// the junction.
+struct SecondaryLobes {
+  double at = 0.5;      ///< where they leave the mid-vein, as part of its length from the petiole
+  LeafRay antiVein;     ///< to the sinus between mid-lobe and secondary lobe
+  LeafRay vein;         ///< to the tip of the secondary lobe
+  bool isTorn = false;  ///< folded one by one with a tear along the mid-vein (thesis Fig 7.4), else
+                        ///< all creases at once, without a tear
+  bool operator==(const SecondaryLobes&) const = default;
+};
+
 /// A palmate leaf. From the mid-vein outward anti-veins and veins take turns: antiVeins[0],
 /// veins[0], antiVeins[1], veins[1], ...; the basal edge comes last.
 struct LeafRecipe {
@@ -33,6 +46,7 @@ struct LeafRecipe {
   std::vector<LeafRay> veins;      ///< beside the mid-vein, outward
   std::vector<LeafRay> antiVeins;  ///< as many as veins
   LeafRay base{120, 0.3};          ///< the basal edge, and where the margin meets it
+  std::optional<SecondaryLobes> secondary;
   PaperSide front{{79, 138, 58}, ""};
   PaperSide back{{169, 201, 139}, ""};
   std::string unknown;  ///< fields that the reader did not know, as JSON text

@@ -18,22 +18,16 @@ constexpr double kBeyond = 0.05;
 /// No more data points than this between the ends: a uniform spline wants even spacing.
 constexpr double kMostGaps = 40;
 
-struct Polar {
-  double folded = 0;
-  double length = 0;
-};
-
-Vec2 placeOf(const Polar& p) {
+Vec2 placeOf(const MarginKnot& p) {
   const CosSin w = cosSinDegrees(p.folded);
   return Vec2{w.sin, w.cos} * p.length;
 }
 
-std::vector<Polar> knotsOf(const std::vector<FanRay>& fan) {
-  std::vector<Polar> knots;
-  for (const FanRay& ray : fan) knots.push_back({ray.folded, ray.length});
+/// By folded direction; of two rays in one direction one.
+std::vector<MarginKnot> inOrder(std::vector<MarginKnot> knots) {
   std::sort(knots.begin(), knots.end(),
-            [](const Polar& a, const Polar& b) { return a.folded < b.folded; });
-  const auto isSame = [](const Polar& a, const Polar& b) {
+            [](const MarginKnot& a, const MarginKnot& b) { return a.folded < b.folded; });
+  const auto isSame = [](const MarginKnot& a, const MarginKnot& b) {
     return b.folded - a.folded <= kSameAngle;
   };
   knots.erase(std::unique(knots.begin(), knots.end(), isSame), knots.end());
@@ -41,7 +35,7 @@ std::vector<Polar> knotsOf(const std::vector<FanRay>& fan) {
 }
 
 /// Slopes of the lengths at the knots that keep them falling (Fritsch and Butland 1984).
-std::vector<double> slopesOf(const std::vector<Polar>& knots) {
+std::vector<double> slopesOf(const std::vector<MarginKnot>& knots) {
   const std::size_t n = knots.size();
   std::vector<double> secants;
   for (std::size_t i = 0; i + 1 < n; ++i) {
@@ -60,7 +54,8 @@ std::vector<double> slopesOf(const std::vector<Polar>& knots) {
   return slopes;
 }
 
-double lengthBetween(const Polar& a, const Polar& b, double slopeA, double slopeB, double t) {
+double lengthBetween(const MarginKnot& a, const MarginKnot& b, double slopeA, double slopeB,
+                     double t) {
   const double h = b.folded - a.folded;
   const double u = 1 - t;
   return a.length * u * u * (1 + 2 * t) + b.length * t * t * (1 + 2 * u) +
@@ -68,7 +63,7 @@ double lengthBetween(const Polar& a, const Polar& b, double slopeA, double slope
 }
 
 /// The data points, those of the rays among them, as evenly spaced as these allow.
-std::vector<Vec2> pointsAlong(const std::vector<Polar>& knots) {
+std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots) {
   const std::vector<double> slopes = slopesOf(knots);
   double total = 0;
   double shortest = distance(placeOf(knots.front()), placeOf(knots.back()));
@@ -85,7 +80,7 @@ std::vector<Vec2> pointsAlong(const std::vector<Polar>& knots) {
     for (int k = 1; k < parts; ++k) {
       const double t = static_cast<double>(k) / parts;
       points.push_back(
-          placeOf({knots[i].folded + t * (knots[i + 1].folded - knots[i].folded),
+          placeOf({"", knots[i].folded + t * (knots[i + 1].folded - knots[i].folded),
                    lengthBetween(knots[i], knots[i + 1], slopes[i], slopes[i + 1], t)}));
     }
     points.push_back(placeOf(knots[i + 1]));
@@ -123,8 +118,8 @@ std::vector<Vec2> interpolated(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-std::vector<Vec2> marginControls(const std::vector<FanRay>& fan) {
-  std::vector<Vec2> points = pointsAlong(knotsOf(fan));
+std::vector<Vec2> marginControls(const std::vector<MarginKnot>& knots) {
+  std::vector<Vec2> points = pointsAlong(inOrder(knots));
   const Vec2 ahead = normalized(points[0] - points[1]);
   const Vec2 behind = normalized(points.back() - points[points.size() - 2]);
   points.insert(points.begin(), points.front() + ahead * kBeyond);

@@ -90,6 +90,57 @@ TEST(LeafModel, HasItsLobesAndSinusesWhereTheRecipePutsThem) {
   for (const LeafRecipe& recipe : {sycamore(), fatsia(), vineMaple()}) expectRays(recipe);
 }
 
+LeafRecipe mapleWithSecondaryLobes(bool isTorn) {
+  LeafRecipe recipe;
+  recipe.veins = {{46, .85}, {96, .44}};
+  recipe.antiVeins = {{30, .55}, {82, .36}};
+  recipe.base = {121, .28};
+  recipe.secondary = SecondaryLobes{0.5, {22, .30}, {34, .36}, isTorn};
+  return recipe;
+}
+
+TEST(LeafModel, SecondaryLobesAreWhereTheRecipePutsThemWithATearOrWithout) {
+  for (const bool isTorn : {false, true}) {
+    SCOPED_TRACE(isTorn ? "torn" : "at once");
+    const LeafRecipe recipe = mapleWithSecondaryLobes(isTorn);
+    const Result<LeafModel> leaf = leafModelOf(recipe);
+    ASSERT_TRUE(leaf) << leaf.error().message;
+    const Result<Replay> replayed = replay(leaf->model);
+    ASSERT_TRUE(replayed);
+    const auto last = replayed->after(leaf->model.steps.size());
+    ASSERT_TRUE(last) << last.error().message;
+    EXPECT_TRUE((*last)->collisions.empty());
+    EXPECT_TRUE(isFlat(**last));
+    const Vec2 junction = isTorn
+                              ? std::get<TearStep>(leaf->model.steps[2].action).path.points.back()
+                              : std::get<PatternStep>(leaf->model.steps[0].action).vertices[1];
+    const Vec2 petiole = junction - Vec2{0, 0.5 * recipe.midVein};
+    const auto found = extremesOf((*last)->pattern, petiole, recipe.midVein);
+    for (const LeafRay& ray : {recipe.secondary->antiVein, recipe.secondary->vein}) {
+      const double radians = ray.angle * std::numbers::pi / 180;
+      const double x = ray.length * std::sin(radians);
+      const double y = 0.5 + ray.length * std::cos(radians);
+      const double angle = std::atan2(x, y) * 180 / std::numbers::pi;
+      for (const double side : {1.0, -1.0}) {
+        const auto near = std::find_if(found.begin(), found.end(), [&](const LeafRay& r) {
+          return std::abs(r.angle - side * angle) < 0.1 &&
+                 std::abs(r.length - std::hypot(x, y)) < 0.002;
+        });
+        EXPECT_NE(near, found.end()) << ray.angle << " on side " << side;
+      }
+    }
+  }
+}
+
+TEST(LeafModel, ASecondaryVeinFoldedPastTheMidVeinIsRefused) {
+  LeafRecipe recipe = mapleWithSecondaryLobes(false);
+  recipe.secondary->antiVein.angle = 15;
+  const Result<LeafModel> leaf = leafModelOf(recipe);
+  ASSERT_FALSE(leaf);
+  EXPECT_NE(leaf.error().message.find("to 17 degrees or more"), std::string::npos)
+      << leaf.error().message;
+}
+
 TEST(LeafModel, AFlapFoldedPastTheMidVeinIsRefusedWithTheRemedy) {
   LeafRecipe recipe = sycamore();
   recipe.veins[0].angle = 60;

@@ -1,0 +1,77 @@
+// The sheet that holds a leaf, and places on it.
+// SPDX-License-Identifier: MIT
+#include "core/leaf/leaf_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/rigid.h"
+
+namespace kiri {
+namespace {
+
+/// Paper that is left around the leaf, as part of the mid-vein's length.
+constexpr double kRoom = 0.08;
+constexpr double kCentimetre = 10;
+/// Where facets are named, as part of the shortest ray.
+constexpr double kNear = 0.3;
+
+}  // namespace
+
+LeafSheet::LeafSheet(const LeafRecipe& recipe, const std::vector<FanRay>& fan)
+    : midVein_(recipe.midVein) {
+  double wide = 0;
+  double low = 0;
+  double shortest = recipe.secondary ? recipe.secondary->at : 1;
+  for (const FanRay& ray : fan) {
+    const CosSin w = cosSinDegrees(ray.angle);
+    wide = std::max(wide, ray.length * w.sin);
+    low = std::max(low, -ray.length * w.cos);
+    shortest = std::min(shortest, ray.length);
+  }
+  const bool isInside = recipe.petiole == Petiole::Inside;
+  const double high = 1 + kRoom + (isInside ? low + kRoom : 0);
+  const double needed = std::max(2 * (wide + kRoom), high) * midVein_;
+  side_ = std::ceil(needed / kCentimetre) * kCentimetre;
+  const double spare = side_ - high * midVein_;
+  petiole_ = {side_ / 2, isInside ? (low + kRoom) * midVein_ + spare / 2 : 0};
+  near_ = kNear * shortest * midVein_;
+}
+
+Vec2 LeafSheet::at(double angle, double length, int side) const {
+  const CosSin w = cosSinDegrees(angle);
+  return petiole_ + Vec2{side * w.sin, w.cos} * length;
+}
+
+Vec2 LeafSheet::rimFrom(Vec2 from, double angle, int side) const {
+  const CosSin w = cosSinDegrees(angle);
+  const double far = 2 * side_;
+  const double toSide = w.sin > 0 ? (side_ / 2 - side * (from.x - side_ / 2)) / w.sin : far;
+  const double toTop = w.cos > 0 ? (side_ - from.y) / w.cos : far;
+  const double toBottom = w.cos < 0 ? from.y / -w.cos : far;
+  const double reach = std::min({toSide, toTop, toBottom});
+  Vec2 end = from + Vec2{side * w.sin, w.cos} * reach;
+  // On the rim exactly, so that the end is no corner beside it.
+  if (reach == toSide) end.x = side > 0 ? side_ : 0;
+  if (reach == toTop) end.y = side_;
+  if (reach == toBottom) end.y = 0;
+  return end;
+}
+
+Vec2 LeafSheet::inSector(double fromAngle, double toAngle, int side) const {
+  return at((fromAngle + toAngle) / 2, near_, side);
+}
+
+std::vector<Vec2> LeafSheet::outlineWithoutWedge(double basalAngle) const {
+  const Vec2 right = rimFrom(petiole_, basalAngle, 1);
+  const Vec2 left = rimFrom(petiole_, basalAngle, -1);
+  std::vector<Vec2> outline = {petiole_, right};
+  if (right.y == 0 && right.x < side_) outline.push_back({side_, 0});
+  outline.push_back({side_, side_});
+  outline.push_back({0, side_});
+  if (left.y == 0 && left.x > 0) outline.push_back({0, 0});
+  outline.push_back(left);
+  return outline;
+}
+
+}  // namespace kiri

@@ -1,0 +1,46 @@
+// The steps that make a leaf, one of three ways.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "core/leaf/leaf_sheet.h"
+#include "core/leaf/margin.h"
+#include "core/model/model.h"
+
+namespace kiri {
+
+/// What the ways share.
+struct LeafPlan {
+  const LeafRecipe& recipe;
+  const std::vector<FanRay>& fan;
+  const std::vector<MarginKnot>& knots;
+  LeafSheet sheet;
+
+  /// Where the secondary lobes leave the mid-vein, mm.
+  Vec2 junction() const {
+    return sheet.petiole() + Vec2{0, recipe.secondary->at * sheet.midVein()};
+  }
+  /// The outermost sector of a half: what a fold nearer to the mid-vein takes along.
+  Vec2 outermost(int side) const {
+    return sheet.inSector(fan[fan.size() - 2].angle, fan.back().angle, side);
+  }
+};
+
+/// "Fold along the mid-vein", and for a petiole inside the cut that opens the base.
+std::vector<Step> openingSteps(const LeafPlan& plan);
+/// Folds one half along its rays, from the mid-vein outward.
+std::vector<Step> rayFolds(const LeafPlan& plan, int side, FoldType type);
+/// The margin through all layers. `turn`: degrees, clockwise, by which the innermost sector is
+/// turned about the junction from where it lies on the sheet.
+Step marginCut(const LeafPlan& plan, double turn);
+
+/// Folds one by one (thesis Figures 7.2 and 7.3).
+void addSimpleFolds(const LeafPlan& plan, Model& model);
+/// With a tear along the mid-vein (thesis Fig 7.4).
+void addTornFolds(const LeafPlan& plan, Model& model);
+/// All creases at once, as in the bud; no tear. Errors: BadValue - creases of the secondary lobes
+/// that meet others inside the sheet.
+Status addPattern(const LeafPlan& plan, Model& model);
+
+}  // namespace kiri

@@ -1,0 +1,48 @@
+// Secondary lobes by tearing, as the thesis makes them (Fig 7.4).
+// SPDX-License-Identifier: MIT
+#include "core/leaf/leaf_steps.h"
+
+namespace kiri {
+namespace {
+
+/// A fold of one half along a crease from the junction; everything below goes along.
+Step secondaryFold(const LeafPlan& plan, const char* name, double angle, int side, bool isOnSheet) {
+  const std::string half = side > 0 ? "right" : "left";
+  const Vec2 flap = plan.outermost(side);
+  const Vec2 junction = plan.junction();
+  FoldStep fold;
+  fold.name = half + " " + name;
+  fold.line = {Frame::Paper, junction, plan.sheet.rimFrom(junction, angle, side), std::nullopt};
+  if (!isOnSheet) fold.line.facet = flap;
+  fold.type = side > 0 ? FoldType::Valley : FoldType::Mountain;
+  fold.layers = ChosenLayers{{{Frame::Paper, flap}}};
+  fold.moving = MovingPoint{{Frame::Paper, flap}};
+  return {fold, "Fold the " + half + " half along the " + std::string(name), "", ""};
+}
+
+}  // namespace
+
+void addTornFolds(const LeafPlan& plan, Model& model) {
+  const SecondaryLobes& lobes = *plan.recipe.secondary;
+  model.steps = openingSteps(plan);
+  TearStep tear;
+  tear.path.points = {plan.sheet.petiole(), plan.junction()};
+  model.steps.push_back({tear, "Tear along the mid-vein up to the secondary vein",
+                         "From the petiole to the junction, so that each half can be folded by "
+                         "itself.",
+                         ""});
+  for (const int side : {1, -1}) {
+    model.steps.push_back(
+        secondaryFold(plan, "secondary anti-vein", lobes.antiVein.angle, side, true));
+    model.steps.push_back(secondaryFold(plan, "secondary vein", lobes.vein.angle, side, false));
+  }
+  for (const int side : {1, -1}) {
+    const FoldType type = side > 0 ? FoldType::Valley : FoldType::Mountain;
+    for (Step& step : rayFolds(plan, side, type)) model.steps.push_back(std::move(step));
+  }
+  model.steps.push_back(marginCut(plan, -2 * (lobes.vein.angle - lobes.antiVein.angle)));
+  model.steps.push_back({UnfoldStep{}, "Unfold", "", ""});
+  model.steps.push_back({MendStep{}, "Mend the tear", "Its sides lie together again.", ""});
+}
+
+}  // namespace kiri
