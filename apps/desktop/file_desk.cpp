@@ -40,7 +40,7 @@ QString fileIn(const QMimeData& data) {
 /// The text of a crease pattern; empty: there is none.
 std::string textIn(const QMimeData& data) {
   for (const char* format : {"image/svg+xml", "application/json"}) {
-    const std::string text = data.data(format).toStdString();
+    std::string text = data.data(format).toStdString();
     if (!text.empty() && isPatternText(text)) return text;
   }
   std::string text = data.text().toStdString();

@@ -171,7 +171,7 @@ void PatternDesk::follow() {
   written_.clear();
   std::optional<LayerValues> now;
   if (after_) now = valuesOf(*analysis_->folding, *after_);
-  present_ = now ? std::move(*now) : states()->first();
+  present_ = now ? *now : states()->first();
   numbers_.assign(known_.size(), std::nullopt);
   for (std::size_t i = 0; now && i < known_.size(); ++i) {
     const auto found = known_[i].find(partOf(i, present_));
