@@ -25,6 +25,10 @@ sheet kirigami_snowflake snowflake_steps
 view leaf_hornbeam opening --step 30.6 --view=-25,35 --perspective 30 --shade --shadow --dpi 90
 view kirigami_snowflake layers --step 6 --view 30,25 --explode 5 --shade --dpi 100
 view ship thickness --view 20,40 --thickness 0.8 --shade --shadow --dpi 100
+maple=$(mktemp --suffix .kiri)
+./kiri leaf examples/leaves/maple_secondary_lobes.json -o "$maple"
+./kiri measure "$maple" -o docs/pictures/maple_measured.png --background '#ffffff' --dpi 90
+rm "$maple"
 ./kiri animate examples/leaf_palmate.kiri --size 320x220 --fps 12 --speed 180 --hold 0.2 -o docs/pictures/leaf_film.gif
 ./kiri animate examples/leaf_hornbeam.kiri --steps 31 --size 280x210 --fps 15 --speed 60 -o docs/pictures/hornbeam_opens.gif
 
