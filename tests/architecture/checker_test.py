@@ -73,7 +73,7 @@ class Checker(unittest.TestCase):
         self.adds("core/paper/sheet.cpp", "#include <nlohmann/json.hpp>", "nlohmann_json")
 
     def test_finds_a_header_nobody_declared(self):
-        self.adds("io/read.cpp", "#include <boost/any.hpp>", "neither")
+        self.adds("io/read.cpp", "#include <tbb/tbb.h>", "neither")
 
     def test_finds_every_forbidden_word(self):
         samples = {"Qt": "QString name;", "GL": "void f() { glClear(1); }", "files": "#include <iostream>",
