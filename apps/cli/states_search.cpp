@@ -29,7 +29,7 @@ Status countStates(StatesAnswer& answer, SearchWatch& watch) {
   const std::size_t components = answer.states->componentCount();
   const std::string name =
       "counting " + std::to_string(components) + (components == 1 ? " component" : " components");
-  const Status counted =
+  Status counted =
       watch.part(name, [&](const Progress& progress) { return answer.states->count(progress); });
   if (counted.isOk()) {
     answer.total = answer.states->total();

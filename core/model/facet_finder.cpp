@@ -17,8 +17,7 @@ double roomAround(const CreasePattern& pattern, FacetId facet, Vec2 p) {
 
 }  // namespace
 
-FacetFinder::FacetFinder(const CreasePattern& pattern)
-    : nearness_(pattern.tolerance.length()), columns_(1) {
+FacetFinder::FacetFinder(const CreasePattern& pattern) : nearness_(pattern.tolerance.length()) {
   const std::size_t count = pattern.facets.size();
   KIRI_CHECK(count > 0, "a pattern has facets");
   for (std::size_t f = 0; f < count; ++f) {

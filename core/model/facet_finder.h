@@ -24,7 +24,7 @@ class FacetFinder {
 
   double nearness_;
   Box box_;
-  std::size_t columns_;  ///< and rows
+  std::size_t columns_ = 1;  ///< and rows
   std::vector<Region> regions_;
   std::vector<Box> boxes_;
   std::vector<std::vector<FacetId>> cells_;

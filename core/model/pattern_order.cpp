@@ -206,7 +206,7 @@ std::optional<Collision> faultOf(const FoldedState& folded) {
     // Where it is, is seen along the hinges; in large patterns that takes long.
     constexpr std::size_t kFew = 1000;
     if (folded.pattern.facets.size() <= kFew) {
-      if (const std::optional<Collision> seen = hingeFault(folded)) return seen;
+      if (std::optional<Collision> seen = hingeFault(folded)) return seen;
     }
     Collision c = described(folded, FacetId(0), FacetId(0));
     c.message = "in the order of the layers that the pattern has, " + *rule +

@@ -65,7 +65,7 @@ Session::Parts::Parts(TaskRunner& taskRunner, std::function<void(const Changed&)
 }
 
 PatternDesk::Host Session::Parts::patternHost() {
-  return {[this](Change change, Phrase what) { ask(std::move(change), what, false); },
+  return {[this](Change change, const Phrase& what) { ask(std::move(change), what, false); },
           [this](Notice::Kind kind, Phrase text, std::string why) {
             say(kind, std::move(text), std::move(why));
             tell();

@@ -20,7 +20,7 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr int kSign = 18;
+constexpr int kVerdictSign = 18;
 /// Rows beyond these have no buttons of their own; keys walk their states.
 constexpr std::size_t kMostButtons = 200;
 constexpr std::size_t kMostRows = 2000;
@@ -199,7 +199,7 @@ void PatternPanel::showVerdict(const PatternView& view) {
     text += "\n" + why;
   }
   verdict_->setText(text);
-  sign_->setPixmap(icon(sign).pixmap(QSize(kSign, kSign), devicePixelRatioF()));
+  sign_->setPixmap(icon(sign).pixmap(QSize(kVerdictSign, kVerdictSign), devicePixelRatioF()));
 }
 
 void PatternPanel::showTotal(const PatternView& view) {
