@@ -35,14 +35,14 @@ MeasureRun measureRun(std::vector<std::string> arguments) {
 TEST(MeasureCommand, JsonHoldsTheMeasuresAndNamesTheConventions) {
   const MeasureRun done = measureRun({"--json"});
   ASSERT_EQ(done.code, kDone) << done.err;
-  const auto json = nlohmann::json::parse(done.out);
-  EXPECT_NEAR(json["length"].get<double>(), 40, 1e-9);
-  EXPECT_NEAR(json["width"].get<double>(), 20, 1e-9);
-  EXPECT_NEAR(json["area"].get<double>(), 400, 1e-9);
-  EXPECT_NEAR(json["solidity"].get<double>(), 1, 1e-12);
-  EXPECT_EQ(json["lobes"], 1);
-  EXPECT_EQ(json["margin"][0]["kind"], "lobe");
-  EXPECT_NE(json["conventions"].get<std::string>().find("hull"), std::string::npos);
+  const auto measures = nlohmann::json::parse(done.out);
+  EXPECT_NEAR(measures["length"].get<double>(), 40, 1e-9);
+  EXPECT_NEAR(measures["width"].get<double>(), 20, 1e-9);
+  EXPECT_NEAR(measures["area"].get<double>(), 400, 1e-9);
+  EXPECT_NEAR(measures["solidity"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(measures["lobes"], 1);
+  EXPECT_EQ(measures["margin"][0]["kind"], "lobe");
+  EXPECT_NE(measures["conventions"].get<std::string>().find("hull"), std::string::npos);
 }
 
 TEST(MeasureCommand, CsvHasOneMeasureARow) {
