@@ -24,6 +24,9 @@ function(kiri_test_support)
   # What checks paper needs no editor: so a change of the editor does not rebuild every test.
   list(FILTER layers EXCLUDE REGEX "^kiri_editor_")
   add_library(kiri_oracles STATIC ${sources})
+  # What looks through the editor's cameras is linked only where the editor is.
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/views.cpp
+                              PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   kiri_compile_together(kiri_oracles)
   target_include_directories(kiri_oracles PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(kiri_oracles PUBLIC ${layers} GTest::gtest PRIVATE kiri_warnings)

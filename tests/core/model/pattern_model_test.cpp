@@ -67,7 +67,7 @@ FoldedState lastOf(const Model& model) {
   return **state;
 }
 
-const PatternStep& stepOf(const Model& model) {
+const PatternStep& patternStepOf(const Model& model) {
   return std::get<PatternStep>(model.steps.front().action);
 }
 
@@ -156,7 +156,7 @@ TEST(PatternModel, CreasesThatNobodyAssignedAreSolvedFor) {
   const FoldedState state = lastOf(model.model);
   EXPECT_TRUE(isClean(state));
   EXPECT_TRUE(orderViolations(state).empty()) << joined(orderViolations(state));
-  EXPECT_EQ(stepOf(model.model).creases[0].assignment, Assignment::Unassigned);
+  EXPECT_EQ(patternStepOf(model.model).creases[0].assignment, Assignment::Unassigned);
 }
 
 TEST(PatternModel, AMapIsFoldedLineByLine) {
@@ -228,7 +228,7 @@ TEST(PatternModel, LayersThatNameNoFacetAreRefusedWithAPlace) {
 
 TEST(PatternModel, OpensWithTheLayersThatWereFound) {
   const PatternModel model = made(miura(4, 4));
-  EXPECT_EQ(stepOf(model.model).layers.size(), 16u);
+  EXPECT_EQ(patternStepOf(model.model).layers.size(), 16u);
   EXPECT_EQ(model.model.opening, Sequence::Together);
   EXPECT_TRUE(isSameState(lastOf(model.model), lastOf(model.model)));
 }
@@ -251,7 +251,7 @@ TEST(PatternModel, IsScaledToTheLongestSide) {
 TEST(PatternModel, StaysFlatWhereItCannotFoldAndSaysWhy) {
   const AssignedPattern creases = eightRays({-180, 180, -180, 0, -180, 180, 0, 0});
   const PatternModel model = made(creases);
-  EXPECT_FALSE(stepOf(model.model).isFolded);
+  EXPECT_FALSE(patternStepOf(model.model).isFolded);
   ASSERT_EQ(model.notes.size(), 1u);
   EXPECT_EQ(model.notes[0].rfind("the model is flat, with its creases: ", 0), 0u);
   const FoldedState state = lastOf(model.model);
