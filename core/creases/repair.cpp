@@ -182,6 +182,11 @@ Result<RepairedPattern> repairedAt(const RepairScale& scale, const CreaseDrawing
   DrawingRepair repair(drawing, scale, log, progress);
   if (const Status done = repair.run(lines); !done) return done.error();
   const PaperMap& paper = repair.paper();
+  if (repair.map().lines.empty() || !paper.hasPaper()) {
+    return Error{ErrorCode::BadFile,
+                 "the lines of the crease pattern enclose no paper once they are mended; draw a "
+                 "closed border"};
+  }
   RepairedPattern result{
       buildPattern(repair.map(), paper.faces, paper.isPaper, options.scale, log), {}, 0};
   result.repairs = log.repairs();
