@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@
 #include "core/model/replay.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
-#include "tests/support/state_check.h"
 
 namespace kiri {
 namespace {
@@ -56,24 +54,6 @@ std::size_t countKind(const CreasePattern& pattern, EdgeKind kind) {
   return static_cast<std::size_t>(
       std::count_if(pattern.edges.begin(), pattern.edges.end(),
                     [kind](const Edge& edge) { return edge.kind == kind; }));
-}
-
-TEST(Examples, ReplayWithoutStretchCollisionOrWrongOrder) {
-  std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(KIRI_SOURCE_DIR "/examples")) {
-    if (entry.path().extension() != ".kiri") continue;
-    ++count;
-    const std::string name = entry.path().filename().string();
-    const Result<Replay> steps = replay(modelAt(entry.path().string()));
-    ASSERT_TRUE(steps.isOk()) << name;
-    for (std::size_t i = 0; i < steps->outcomes.size(); ++i) {
-      const StepOutcome& outcome = steps->outcomes[i];
-      ASSERT_TRUE(outcome.state) << name << " step " << i + 1 << ": " << outcome.error->message;
-      EXPECT_TRUE(outcome.state->collisions.empty()) << name << " step " << i + 1;
-      EXPECT_EQ(test::joined(test::violationsOf(*outcome.state)), "") << name << " step " << i + 1;
-    }
-  }
-  EXPECT_GE(count, 9u);
 }
 
 TEST(LeafExamples, UnfoldToOnePieceThatIsItsOwnMirrorImage) {
