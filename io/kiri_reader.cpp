@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/kiri_reader.h"
 
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "io/format_header.h"
 #include "io/json_fields.h"
 #include "io/sheet_json.h"
 #include "io/steps_json.h"
@@ -14,29 +14,6 @@
 namespace kiri {
 
 namespace {
-
-/// Reads "format" and "version". Says whether it makes sense to read on.
-bool readHeader(Fields& fields) {
-  const Field& top = fields.object();
-  Findings& findings = top.findings();
-  if (const std::optional<Field> format =
-          fields.require("format", "a model file starts with \"format\": \"kiri\", \"version\": " +
-                                       std::to_string(kKiriVersion))) {
-    if (format->text() != "kiri") format->isNot("\"kiri\"; this is another kind of file");
-  }
-  if (!findings.isGood()) return false;
-  if (const std::optional<Field> version =
-          fields.require("version", "write \"version\": " + std::to_string(kKiriVersion))) {
-    const double number = version->number({1, kLargestLength, false});
-    if (std::floor(number) != number) version->isNot("a whole number");
-    if (number > kKiriVersion) {
-      version->mistake("is " + version->json().text +
-                       ", but this program knows the format up to version " +
-                       std::to_string(kKiriVersion) + "; use a newer program");
-    }
-  }
-  return findings.isGood();
-}
 
 /// The name of the fold line that a step makes; empty when it makes none.
 std::string foldNameOf(const Step& step, std::size_t number) {
@@ -81,7 +58,7 @@ Result<LoadedModel> readKiri(std::string_view text, std::string_view fileName) {
   Fields fields(top);
   LoadedModel loaded;
   Model& model = loaded.model;
-  if (!readHeader(fields)) return *findings.error();
+  if (!readFormatHeader(fields, "a model file", "kiri", kKiriVersion)) return *findings.error();
   model.title = fields.text("title");
   model.notes = fields.text("notes");
   if (fields.oneOf("opens", {"in order", "together"}, 0) == 1) model.opening = Sequence::Together;

@@ -14,6 +14,7 @@
 #include "editor/document/gallery.h"
 #include "editor/document/pattern_import.h"
 #include "editor/document/thumbnails.h"
+#include "io/examples_folder.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
 
@@ -53,16 +54,8 @@ void showPattern(const std::string& text, const QString& path, int pixels, Model
 }  // namespace
 
 QString examplesFolder() {
-  const QString program = QCoreApplication::applicationDirPath();
-  const QString places[] = {qEnvironmentVariable("KIRI_EXAMPLES"),
-#ifdef KIRI_EXAMPLES_DIR
-                            QStringLiteral(KIRI_EXAMPLES_DIR),
-#endif
-                            program + "/examples", program + "/../share/kirisim/examples"};
-  for (const QString& place : places) {
-    if (!place.isEmpty() && QFileInfo(place).isDir()) return QDir(place).absolutePath();
-  }
-  return {};
+  return QString::fromStdString(
+      kiri::examplesFolder(QCoreApplication::applicationDirPath().toStdString()));
 }
 
 QStringList modelsIn(const QString& folder) {

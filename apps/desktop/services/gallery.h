@@ -10,8 +10,7 @@
 
 namespace kiri::desktop {
 
-/// The folder with the examples: KIRI_EXAMPLES in the environment, the one that the program was
-/// built with, or one beside the program; empty when none is there.
+/// The folder with the examples that come with this program (io/examples_folder.h).
 QString examplesFolder();
 /// The models in a folder, those for beginners first, else by name.
 QStringList modelsIn(const QString& folder);
