@@ -23,7 +23,7 @@ sheet leaf_secondary_lobes secondary_lobes --steps 3,5,7,13-16 --columns 4
 sheet ship ship_steps
 sheet kirigami_snowflake snowflake_steps
 view leaf_hornbeam opening --step 30.6 --view=-25,35 --perspective 30 --shade --shadow --dpi 90
-view kirigami_snowflake layers --step 6 --view 30,25 --explode 5 --shade --dpi 100
+view kirigami_snowflake layers --step 5 --view 30,25 --explode 5 --shade --dpi 100
 view ship thickness --view 20,40 --thickness 0.8 --shade --shadow --dpi 100
 maple=$(mktemp --suffix .kiri)
 ./kiri leaf examples/leaves/maple_secondary_lobes.json -o "$maple"

@@ -140,8 +140,8 @@ TEST(Kirigami, HasTheSymmetryOfItsFolds) {
   const Rigid sixth = rotationAbout({60, 60, 0}, {0, 0, 1}, 60);
   for (const Vec2 p : corners) {
     const Vec2 turned = flatten(sixth.apply(p));
-    // The drawn lines meet the sixths of the disc to 1e-4 mm only.
-    EXPECT_LE(nearest(corners, turned), 1e-3) << p.x << ", " << p.y;
+    // The drawn lines meet the sixths of the disc to 1e-9 mm.
+    EXPECT_LE(nearest(corners, turned), 1e-7) << p.x << ", " << p.y;
   }
 }
 
