@@ -23,10 +23,10 @@ TEST(TearTool, TheShipIsTornFoldedAndMendedAsInTheExample) {
   ToolDriver hand(ToolId::Tear, ship.after(2));
   hand.hover({0, 0});
   EXPECT_GE(hand.count(MarkRole::Possible), 1U);
-  hand.drag({0, 0}, {40, 40});
+  hand.drag({0, 0}, {76, 76});
   ASSERT_TRUE(hand.proposal());
   EXPECT_TRUE(hand.proposal()->isComplete);
-  hand.set("length", std::sqrt(2.0) * 39.598);
+  hand.set("length", std::sqrt(2.0) * 75);
   hand.key(Key::Enter);
   ASSERT_EQ(hand.steps().size(), 1U);
   EXPECT_EQ(edgeCount(hand.state(), EdgeKind::Tear), edgeCount(ship.after(3), EdgeKind::Tear));
