@@ -381,10 +381,13 @@ void Fields::finish() {
     if (std::find(known_.begin(), known_.end(), member.name) != known_.end()) continue;
     const std::string path = joined(object_.path(), member.name);
     const std::string meant = nearestName(member.name, absent);
-    if (!meant.empty()) {
-      object_.findings().warning(member.value,
-                                 shown(path) + " is not a field that is known here; did you mean " +
-                                     jsonString(meant) + "? It is kept, but does nothing");
+    const bool isKept = object_.findings().unknownFields() == UnknownFields::AreKept;
+    if (!meant.empty() || !isKept) {
+      object_.findings().warning(
+          member.value,
+          shown(path) + " is not a field that is known here" +
+              (meant.empty() ? "; it" : "; did you mean " + jsonString(meant) + "? It") +
+              (isKept ? " is kept, but does nothing" : " does nothing"));
     }
     object_.findings().unknown(path, member.value);
   }

@@ -16,11 +16,18 @@
 
 namespace kiri {
 
+/// What becomes of fields that the reader does not know.
+enum class UnknownFields {
+  AreKept,  ///< for the writer; there is a warning when one looks like a typing error
+  AreLost,  ///< the document is never written again; there is a warning for each
+};
+
 /// What is wrong in a document, and what looks odd. Only the first mistake counts; reading goes on
 /// after it with harmless values, so that readers need no branches.
 class Findings {
  public:
-  explicit Findings(std::string file) : file_(std::move(file)) {}
+  explicit Findings(std::string file, UnknownFields unknownFields = UnknownFields::AreKept)
+      : file_(std::move(file)), unknownFields_(unknownFields) {}
 
   /// Says in which part of the document readers are ("step 3 (fold)"); part of every sentence.
   void enter(std::string where) { where_ = std::move(where); }
@@ -30,6 +37,7 @@ class Findings {
   /// Keeps a field that nobody knows under its path ("line/colour"). A "/" in a name is written
   /// "~1", "~" is "~0".
   void unknown(const std::string& path, const JsonValue& value);
+  UnknownFields unknownFields() const { return unknownFields_; }
 
   /// The fields kept since the last call, as JSON text; empty when there are none.
   std::string takeUnknown();
@@ -42,6 +50,7 @@ class Findings {
   std::string sentenceAt(const JsonValue& at, const std::string& sentence) const;
 
   std::string file_;
+  UnknownFields unknownFields_;
   std::string where_;
   std::optional<Error> error_;
   std::vector<std::string> warnings_;

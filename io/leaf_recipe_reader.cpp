@@ -69,6 +69,7 @@ void readBody(Fields& fields, LeafRecipe& recipe) {
   if (const auto base = fields.require("base", "the basal edge, {\"angle\": .., \"length\": ..}")) {
     recipe.base = readRay(*base);
   }
+  recipe.margin = readRays(fields.find("margin"));
   if (const auto secondary = fields.find("secondary")) {
     recipe.secondary = readSecondary(*secondary);
   }
@@ -87,7 +88,7 @@ void readBody(Fields& fields, LeafRecipe& recipe) {
 Result<LoadedRecipe> readLeafRecipe(std::string_view text, std::string_view fileName) {
   const Result<JsonValue> json = parseJson(text, fileName);
   if (!json) return json.error();
-  Findings findings{std::string(fileName)};
+  Findings findings{std::string(fileName), UnknownFields::AreLost};
   const Field top(*json, "", findings);
   if (!top.isObject()) {
     findings.mistake(*json, "a leaf recipe is one JSON object { \"format\": \"kiri leaf\", ... }");
@@ -102,7 +103,6 @@ Result<LoadedRecipe> readLeafRecipe(std::string_view text, std::string_view file
   }
   if (findings.isGood()) readBody(fields, loaded.recipe);
   fields.finish();
-  loaded.recipe.unknown = findings.takeUnknown();
   if (!findings.isGood()) return *findings.error();
   loaded.warnings = findings.warnings();
   return loaded;

@@ -13,7 +13,7 @@ namespace kiri {
 
 struct LoadedRecipe {
   LeafRecipe recipe;
-  std::vector<std::string> warnings;  ///< sentences, such as a field name with a typing error
+  std::vector<std::string> warnings;  ///< sentences, one for each field that is not known
 };
 
 /// The recipe that `text` describes; `fileName` is used in sentences only. Whether a leaf can be

@@ -46,10 +46,11 @@ struct LeafRecipe {
   std::vector<LeafRay> veins;      ///< beside the mid-vein, outward
   std::vector<LeafRay> antiVeins;  ///< as many as veins
   LeafRay base{120, 0.3};          ///< the basal edge, and where the margin meets it
+  /// Further places of the right half that the margin passes, wherever it would not go by itself.
+  std::vector<LeafRay> margin;
   std::optional<SecondaryLobes> secondary;
   PaperSide front{{79, 138, 58}, ""};
   PaperSide back{{169, 201, 139}, ""};
-  std::string unknown;  ///< fields that the reader did not know, as JSON text
   bool operator==(const LeafRecipe&) const = default;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/leaf/leaf_sheet.h"
@@ -31,6 +32,12 @@ struct LeafPlan {
 std::vector<Step> openingSteps(const LeafPlan& plan);
 /// Folds one half along its rays, from the mid-vein outward.
 std::vector<Step> rayFolds(const LeafPlan& plan, int side, FoldType type);
+/// "Figure 7.2b. ": which picture of the thesis shows a step, for a petiole on the edge or inside
+/// and for torn secondary lobes; nothing where that is empty.
+std::string figure(const LeafPlan& plan, const std::string& onEdge, const std::string& inside,
+                   const std::string& torn);
+/// Unfolds everything.
+Step openLeaf(const LeafPlan& plan, Sequence sequence);
 /// The margin through all layers. `turn`: degrees, clockwise, by which the innermost sector is
 /// turned about the junction from where it lies on the sheet.
 Step marginCut(const LeafPlan& plan, double turn);

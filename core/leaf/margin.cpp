@@ -1,4 +1,4 @@
-// Lengths between the rays by monotone cubic interpolation, then one B-spline through them.
+// Places between the knots by monotone cubic interpolation, then one B-spline through them.
 // SPDX-License-Identifier: MIT
 #include "core/leaf/margin.h"
 
@@ -7,83 +7,111 @@
 #include <cmath>
 
 #include "core/geometry/bspline.h"
-#include "core/geometry/rigid.h"
 #include "core/geometry/tolerance.h"
+#include "core/leaf/folded_half.h"
 
 namespace kiri {
 namespace {
 
 /// How far the curve goes on beyond the paper, in lengths of the mid-vein.
 constexpr double kBeyond = 0.05;
-/// No more data points than this between the ends: a uniform spline wants even spacing.
-constexpr double kMostGaps = 40;
+/// A uniform spline wants data points that are evenly spaced: not farther apart than this part of
+/// the whole, and near close knots nearer, growing by this part of the distance from them.
+constexpr double kWidest = 0.04;
+constexpr double kGrowth = 0.4;
+/// Samples of a gap between knots by which data points are spread over it.
+constexpr int kSamples = 32;
 
-Vec2 placeOf(const MarginKnot& p) {
-  const CosSin w = cosSinDegrees(p.folded);
-  return Vec2{w.sin, w.cos} * p.length;
-}
-
-/// By folded direction; of two rays in one direction one.
+/// By distance from the petiole, which falls all along the margin; of two rays that end in one
+/// place one.
 std::vector<MarginKnot> inOrder(std::vector<MarginKnot> knots) {
-  std::sort(knots.begin(), knots.end(),
-            [](const MarginKnot& a, const MarginKnot& b) { return a.folded < b.folded; });
+  std::sort(knots.begin(), knots.end(), [](const MarginKnot& a, const MarginKnot& b) {
+    return a.length != b.length ? a.length > b.length : a.folded < b.folded;
+  });
   const auto isSame = [](const MarginKnot& a, const MarginKnot& b) {
-    return b.folded - a.folded <= kSameAngle;
+    return a.length - b.length <= kParallel && std::abs(b.folded - a.folded) <= kSameAngle;
   };
   knots.erase(std::unique(knots.begin(), knots.end(), isSame), knots.end());
   return knots;
 }
 
-/// Slopes of the lengths at the knots that keep them falling (Fritsch and Butland 1984).
-std::vector<double> slopesOf(const std::vector<MarginKnot>& knots) {
-  const std::size_t n = knots.size();
-  std::vector<double> secants;
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    secants.push_back((knots[i + 1].length - knots[i].length) /
-                      (knots[i + 1].folded - knots[i].folded));
-  }
-  std::vector<double> slopes(n, secants.front());
-  slopes.back() = secants.back();
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const double before = knots[i].folded - knots[i - 1].folded;
-    const double after = knots[i + 1].folded - knots[i].folded;
-    const double w1 = 2 * after + before;
-    const double w2 = after + 2 * before;
-    slopes[i] = (w1 + w2) / (w1 / secants[i - 1] + w2 / secants[i]);
-  }
-  return slopes;
-}
-
-double lengthBetween(const MarginKnot& a, const MarginKnot& b, double slopeA, double slopeB,
-                     double t) {
-  const double h = b.folded - a.folded;
-  const double u = 1 - t;
-  return a.length * u * u * (1 + 2 * t) + b.length * t * t * (1 + 2 * u) +
-         h * t * u * (slopeA * u - slopeB * t);
-}
-
-/// The data points, those of the rays among them, as evenly spaced as these allow.
-std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots) {
-  const std::vector<double> slopes = slopesOf(knots);
-  double total = 0;
-  double shortest = distance(placeOf(knots.front()), placeOf(knots.back()));
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double gap = distance(placeOf(knots[i]), placeOf(knots[i + 1]));
-    total += gap;
-    shortest = std::min(shortest, gap);
-  }
-  const double step = std::max(shortest, total / kMostGaps);
-  std::vector<Vec2> points = {placeOf(knots.front())};
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double gap = distance(placeOf(knots[i]), placeOf(knots[i + 1]));
-    const int parts = std::max(1, static_cast<int>(std::lround(gap / step)));
-    for (int k = 1; k < parts; ++k) {
-      const double t = static_cast<double>(k) / parts;
-      points.push_back(
-          placeOf({"", knots[i].folded + t * (knots[i + 1].folded - knots[i].folded),
-                   lengthBetween(knots[i], knots[i + 1], slopes[i], slopes[i + 1], t)}));
+/// Folded direction and distance as functions of the way along the chords between the knots; each
+/// rises or falls between two knots as its ends do (Fritsch and Butland 1984).
+class MarginThread {
+ public:
+  explicit MarginThread(const std::vector<MarginKnot>& knots) : ways_{0} {
+    for (const MarginKnot& knot : knots) {
+      values_.push_back({knot.folded, knot.length});
+      places_.push_back(polarPlace(knot.folded, knot.length));
+      if (places_.size() < 2) continue;
+      ways_.push_back(ways_.back() + distance(places_[places_.size() - 2], places_.back()));
     }
-    points.push_back(placeOf(knots[i + 1]));
+    for (std::size_t i = 0; i < knots.size(); ++i) slopes_.push_back(slopeAt(i));
+  }
+
+  std::size_t gaps() const { return ways_.size() - 1; }
+  Vec2 knot(std::size_t i) const { return places_[i]; }
+  double gap(std::size_t i) const { return ways_[i + 1] - ways_[i]; }
+
+  /// A place in gap `i`, t from 0 to 1.
+  Vec2 at(std::size_t i, double t) const {
+    const double u = 1 - t;
+    const Vec2 value = values_[i] * (u * u * (1 + 2 * t)) + values_[i + 1] * (t * t * (1 + 2 * u)) +
+                       (slopes_[i] * u - slopes_[i + 1] * t) * (gap(i) * t * u);
+    return polarPlace(value.x, value.y);
+  }
+
+  /// How far apart data points should be at t of gap `i`.
+  double spacing(std::size_t i, double t) const {
+    const double way = ways_[i] + t * gap(i);
+    double spacing = ways_.back() * kWidest;
+    for (std::size_t k = 0; k < gaps(); ++k) {
+      const double away = std::max({ways_[k] - way, way - ways_[k + 1], 0.0});
+      spacing = std::min(spacing, gap(k) + kGrowth * away);
+    }
+    return spacing;
+  }
+
+ private:
+  Vec2 slopeAt(std::size_t i) const {
+    if (i == 0) return secant(0);
+    if (i + 1 == values_.size()) return secant(i - 1);
+    const double w1 = 2 * gap(i) + gap(i - 1);
+    const double w2 = gap(i) + 2 * gap(i - 1);
+    const auto mean = [&](double before, double after) {
+      return before * after > 0 ? (w1 + w2) / (w1 / before + w2 / after) : 0;
+    };
+    const Vec2 before = secant(i - 1);
+    const Vec2 after = secant(i);
+    return {mean(before.x, after.x), mean(before.y, after.y)};
+  }
+  Vec2 secant(std::size_t i) const { return (values_[i + 1] - values_[i]) / gap(i); }
+
+  std::vector<Vec2> values_;  ///< x: folded direction, degrees; y: distance
+  std::vector<Vec2> places_;
+  std::vector<double> ways_;
+  std::vector<Vec2> slopes_;
+};
+
+/// The data points, the knots among them.
+std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots) {
+  const MarginThread thread(knots);
+  std::vector<Vec2> points = {thread.knot(0)};
+  for (std::size_t i = 0; i < thread.gaps(); ++i) {
+    std::vector<double> counts = {0};  // of data points up to a sample
+    for (int k = 0; k < kSamples; ++k) {
+      const double t = (k + 0.5) / kSamples;
+      counts.push_back(counts.back() + thread.gap(i) / kSamples / thread.spacing(i, t));
+    }
+    const int parts = std::max(1, static_cast<int>(std::lround(counts.back())));
+    std::size_t k = 0;
+    for (int p = 1; p < parts; ++p) {
+      const double wanted = counts.back() * p / parts;
+      while (counts[k + 1] < wanted) ++k;
+      const double beyond = (wanted - counts[k]) / (counts[k + 1] - counts[k]);
+      points.push_back(thread.at(i, (static_cast<double>(k) + beyond) / kSamples));
+    }
+    points.push_back(thread.knot(i + 1));
   }
   return points;
 }

@@ -10,18 +10,18 @@
 
 namespace kiri {
 
-/// A tip or sinus of the folded leaf, seen from the petiole with the innermost sector at rest:
-/// degrees clockwise from the mid-vein there, and the distance as part of the mid-vein's length.
+/// A tip, a sinus or another place that the margin passes, in the folded leaf, seen from the
+/// petiole with the innermost sector at rest: degrees clockwise from the mid-vein there, and the
+/// distance as part of the mid-vein's length.
 struct MarginKnot {
   std::string name;
   double folded = 0;
   double length = 0;
 };
 
-/// Where all tips and sinuses lie in the folded leaf, from the mid-vein outward. With secondary
-/// lobes the outer mid-lobe is turned about the junction by twice the angle between their creases.
-/// Errors: BadValue - two that no single margin curve can cut, with the remedy: along it lengths
-/// must fall as folded directions turn away from the mid-vein; secondary lobes that would be folded
+/// Where all tips and sinuses lie in the folded leaf, and the further places of the margin. Errors:
+/// BadValue - two that no single margin curve can cut, with the remedy: along it lengths must fall
+/// as the rays' folded directions turn away from the mid-vein; secondary lobes that would be folded
 /// past the mid-vein, or are out of order.
 Result<std::vector<MarginKnot>> marginKnots(const LeafRecipe& recipe,
                                             const std::vector<FanRay>& fan);

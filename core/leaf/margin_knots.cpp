@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/geometry/rigid.h"
 #include "core/geometry/tolerance.h"
+#include "core/leaf/folded_half.h"
 #include "core/leaf/margin.h"
 
 namespace kiri {
@@ -36,12 +37,7 @@ Status checkFalling(std::vector<MarginKnot> knots) {
   return std::monostate{};
 }
 
-/// A place that is seen from the junction at `angle` from the outer mid-vein, as the petiole sees
-/// it when the outer mid-lobe is turned by `turn` about the junction.
-MarginKnot seenFromPetiole(std::string name, double at, double angle, double turn,
-                           double distance) {
-  const CosSin w = cosSinDegrees(angle + turn);
-  const Vec2 place = Vec2{0, at} + Vec2{w.sin, w.cos} * distance;
+MarginKnot knotAt(std::string name, Vec2 place) {
   return {std::move(name), angleDegrees(place.y, place.x), length(place)};
 }
 
@@ -69,25 +65,76 @@ Status checkSecondary(const SecondaryLobes& lobes) {
                  text(lobes.antiVein.length) + ") must be shorter from one to the next");
 }
 
+/// The knots between which a place must lie: where the rays before and after it are cut.
+Status checkPlace(const MarginKnot& place, const std::vector<MarginKnot>& rays) {
+  const MarginKnot* before = nullptr;
+  const MarginKnot* after = nullptr;
+  for (const MarginKnot& ray : rays) {
+    const bool isBefore = ray.folded <= place.folded + kSameAngle;
+    const bool isAfter = ray.folded >= place.folded - kSameAngle;
+    if (isBefore && (before == nullptr || ray.length < before->length)) before = &ray;
+    if (isAfter && (after == nullptr || ray.length > after->length)) after = &ray;
+  }
+  if (before == nullptr || after == nullptr) {
+    return badKnot("the " + place.name + " lies beyond the folded leaf, at " + text(place.folded) +
+                   " degrees; leave it out");
+  }
+  if (place.length < before->length && place.length > after->length) return std::monostate{};
+  return badKnot("no single margin passes the " + place.name + ": folded it lies at " +
+                 text(place.folded) + " degrees, between the " + before->name + " and the " +
+                 after->name + ", and the margin falls from " + text(before->length) + " to " +
+                 text(after->length) + " there; give it a length in between");
+}
+
+/// The margin comes nearer to the petiole all the way.
+Status checkPlaces(const std::vector<MarginKnot>& places, const std::vector<MarginKnot>& rays) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (Status status = checkPlace(places[i], rays); !status) return status;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (places[k].length != places[i].length) continue;
+      return badKnot("the " + places[k].name + " and the " + places[i].name +
+                     " are equally far from the petiole when folded, but the margin comes nearer " +
+                     "to it all the way; leave one of them out or change its length");
+    }
+  }
+  return std::monostate{};
+}
+
 }  // namespace
 
 Result<std::vector<MarginKnot>> marginKnots(const LeafRecipe& recipe,
                                             const std::vector<FanRay>& fan) {
+  if (recipe.secondary) {
+    if (Status status = checkSecondary(*recipe.secondary); !status) return status.error();
+  }
+  const FoldedHalf half(recipe, fan);
   std::vector<MarginKnot> knots;
-  for (const FanRay& ray : fan) knots.push_back({ray.name, ray.folded, ray.length});
+  for (const FanRay& ray : fan) {
+    const bool isTurned = recipe.secondary && ray.angle == 0;
+    knots.push_back(isTurned ? knotAt(ray.name, half.folded(ray.angle, ray.length))
+                             : MarginKnot{ray.name, ray.folded, ray.length});
+  }
   if (recipe.secondary) {
     const SecondaryLobes& lobes = *recipe.secondary;
-    if (Status status = checkSecondary(lobes); !status) return status.error();
-    const double a1 = lobes.antiVein.angle;
-    const double a2 = lobes.vein.angle;
-    const double turn = 2 * (a2 - a1);
-    knots.front() = seenFromPetiole("mid-vein", lobes.at, 0, turn, 1 - lobes.at);
-    knots.push_back(
-        seenFromPetiole("secondary vein", lobes.at, 2 * a1 - a2, turn, lobes.vein.length));
-    knots.push_back(
-        seenFromPetiole("secondary anti-vein", lobes.at, a1, turn, lobes.antiVein.length));
+    const auto add = [&](const char* name, const LeafRay& ray) {
+      knots.push_back(knotAt(name, half.folded(half.fromJunction(ray.angle, ray.length))));
+    };
+    add("secondary vein", lobes.vein);
+    add("secondary anti-vein", lobes.antiVein);
   }
   if (Status status = checkFalling(knots); !status) return status.error();
+  std::vector<MarginKnot> places;
+  for (const LeafRay& place : recipe.margin) {
+    const std::string name =
+        "place of the margin at " + text(place.angle) + " degrees, " + text(place.length);
+    if (place.angle > fan.back().angle) {
+      return badKnot("the " + name + ", lies beyond the basal edge (" + text(fan.back().angle) +
+                     " degrees); leave it out");
+    }
+    places.push_back(knotAt(name, half.folded(place.angle, place.length)));
+  }
+  if (Status status = checkPlaces(places, knots); !status) return status.error();
+  knots.insert(knots.end(), places.begin(), places.end());
   return knots;
 }
 

@@ -78,10 +78,11 @@ Status addPattern(const LeafPlan& plan, Model& model) {
   maker.step().resting = sheet.inSector(0, plan.fan[1].angle, 1);
   model.steps.push_back(
       {maker.step(), "Fold along all veins and anti-veins",
-       "All at once, as the leaf lies in the bud: at the junction six creases hold each other.",
+       "Figure 7.4g without the tear of Figure 7.4b: all at once, as the leaf lies in the bud. At "
+       "the junction six creases hold each other, so none of them folds alone.",
        ""});
   model.steps.push_back(marginCut(plan, 0));
-  model.steps.push_back({UnfoldStep{{}, Sequence::Together}, "Unfold", "", ""});
+  model.steps.push_back(openLeaf(plan, Sequence::Together));
   if (plan.recipe.petiole == Petiole::OnEdge) return std::monostate{};
   model.sheet.shape = SheetSpec::Shape::Polygon;
   model.sheet.outline = sheet.outlineWithoutWedge(plan.fan.back().angle);

@@ -17,7 +17,12 @@ Step secondaryFold(const LeafPlan& plan, const char* name, double angle, int sid
   fold.type = side > 0 ? FoldType::Valley : FoldType::Mountain;
   fold.layers = ChosenLayers{{{Frame::Paper, flap}}};
   fold.moving = MovingPoint{{Frame::Paper, flap}};
-  return {fold, "Fold the " + half + " half along the " + std::string(name), "", ""};
+  return {fold, "Fold the " + half + " half along the " + std::string(name),
+          isOnSheet ? "Figure 7.4c. The torn half turns about the junction; the crease will run to "
+                      "the sinus between mid-lobe and secondary lobe."
+                    : "Figures 7.4d and 7.4e. Back again, so that the two folds make a tuck; the "
+                      "crease will run to the tip of the secondary lobe.",
+          ""};
 }
 
 }  // namespace
@@ -28,8 +33,8 @@ void addTornFolds(const LeafPlan& plan, Model& model) {
   TearStep tear;
   tear.path.points = {plan.sheet.petiole(), plan.junction()};
   model.steps.push_back({tear, "Tear along the mid-vein up to the secondary vein",
-                         "From the petiole to the junction, so that each half can be folded by "
-                         "itself.",
+                         "Figure 7.4b. From the petiole to the junction, so that each half can be "
+                         "folded by itself: simple folds cannot make the tuck in both at once.",
                          ""});
   for (const int side : {1, -1}) {
     model.steps.push_back(
@@ -41,8 +46,9 @@ void addTornFolds(const LeafPlan& plan, Model& model) {
     for (Step& step : rayFolds(plan, side, type)) model.steps.push_back(std::move(step));
   }
   model.steps.push_back(marginCut(plan, -2 * (lobes.vein.angle - lobes.antiVein.angle)));
-  model.steps.push_back({UnfoldStep{}, "Unfold", "", ""});
-  model.steps.push_back({MendStep{}, "Mend the tear", "Its sides lie together again.", ""});
+  model.steps.push_back(openLeaf(plan, Sequence::InOrder));
+  model.steps.push_back(
+      {MendStep{}, "Mend the tear", "Its sides lie together again: the tear cost no paper.", ""});
 }
 
 }  // namespace kiri

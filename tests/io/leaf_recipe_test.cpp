@@ -14,9 +14,10 @@ namespace {
 
 constexpr const char* kRecipe = R"({"format": "kiri leaf", "title": "Maple", "midVein": 80,
   "antiVeins": [{"angle": 24, "length": 0.6}], "veins": [{"angle": 42, "length": 0.9}],
-  "base": {"angle": 118, "length": 0.3}, "collector": {"name": "N. N."}})";
+  "base": {"angle": 118, "length": 0.3}, "margin": [{"angle": 10, "length": 0.8}],
+  "collector": {"name": "N. N."}})";
 
-TEST(LeafRecipeReader, ReadsEveryFieldAndKeepsTheRest) {
+TEST(LeafRecipeReader, ReadsEveryFieldAndWarnsOfTheRest) {
   const Result<LoadedRecipe> loaded = readLeafRecipe(kRecipe, "maple.json");
   ASSERT_TRUE(loaded) << loaded.error().message;
   const LeafRecipe& recipe = loaded->recipe;
@@ -26,7 +27,13 @@ TEST(LeafRecipeReader, ReadsEveryFieldAndKeepsTheRest) {
   EXPECT_EQ(recipe.antiVeins, (std::vector<LeafRay>{{24, 0.6}}));
   EXPECT_EQ(recipe.veins, (std::vector<LeafRay>{{42, 0.9}}));
   EXPECT_EQ(recipe.base, (LeafRay{118, 0.3}));
-  EXPECT_NE(recipe.unknown.find("N. N."), std::string::npos);
+  EXPECT_EQ(recipe.margin, (std::vector<LeafRay>{{10, 0.8}}));
+  ASSERT_EQ(loaded->warnings.size(), 1u);
+  EXPECT_NE(loaded->warnings[0].find("maple.json:4:"), std::string::npos) << loaded->warnings[0];
+  EXPECT_NE(loaded->warnings[0].find("\"collector\" is not a field that is known here; it does "
+                                     "nothing"),
+            std::string::npos)
+      << loaded->warnings[0];
 }
 
 TEST(LeafRecipeReader, MistakesAreToldWithTheirPlace) {

@@ -151,5 +151,77 @@ TEST(LeafModel, AFlapFoldedPastTheMidVeinIsRefusedWithTheRemedy) {
       << leaf.error().message;
 }
 
+/// The unfolded margin of a recipe's model, about its petiole.
+std::vector<LeafRay> marginOf(const LeafRecipe& recipe) {
+  const Result<LeafModel> leaf = leafModelOf(recipe);
+  EXPECT_TRUE(leaf) << leaf.error().message;
+  if (!leaf) return {};
+  const Result<Replay> replayed = replay(leaf->model);
+  const auto last = replayed->after(leaf->model.steps.size());
+  EXPECT_TRUE(last) << last.error().message;
+  if (!last) return {};
+  const Vec2 petiole = std::get<FoldStep>(leaf->model.steps[3].action).line.from;
+  std::vector<LeafRay> margin;
+  const auto contours = contoursOf((*last)->pattern);
+  for (const EdgeUse use : contours.front()) {
+    const Arc arc = arcOf((*last)->pattern, use);
+    for (int k = 0; k < 400; ++k) {
+      const Vec2 d = pointAt(arc, k / 400.0) - petiole;
+      margin.push_back({std::atan2(d.x, d.y) * 180 / std::numbers::pi, length(d) / recipe.midVein});
+    }
+  }
+  return margin;
+}
+
+TEST(LeafModel, ItsMarginPassesTheFurtherPlacesOnBothHalves) {
+  LeafRecipe recipe = sycamore();
+  // On the mid-lobe, which becomes narrower below than above, and beyond the last vein.
+  recipe.margin = {{12, .8}, {9, .7}, {96, .5}};
+  const std::vector<LeafRay> margin = marginOf(recipe);
+  for (const LeafRay& place : recipe.margin) {
+    for (const int side : {1, -1}) {
+      double nearest = 1;
+      for (const LeafRay& p : margin) {
+        const double across = (p.angle - side * place.angle) * std::numbers::pi / 180 * p.length;
+        nearest = std::min(nearest, std::hypot(across, p.length - place.length));
+      }
+      EXPECT_LT(nearest, 2e-4) << place.angle << " on side " << side;
+    }
+  }
+  expectRays(recipe);
+}
+
+TEST(LeafModel, APlaceThatNoSingleMarginPassesIsRefusedWithTheRaysAndTheLengthsBetween) {
+  LeafRecipe recipe = sycamore();
+  recipe.margin = {{12, .95}};
+  const Result<LeafModel> tooFar = leafModelOf(recipe);
+  ASSERT_FALSE(tooFar);
+  EXPECT_EQ(
+      tooFar.error().message,
+      "no single margin passes the place of the margin at 12 degrees, 0.95: folded it lies at "
+      "12 degrees, between the second vein and the first anti-vein, and the margin falls from "
+      "0.88 to 0.62 there; give it a length in between");
+  recipe.margin = {{12, .8}, {9, .8}};
+  const Result<LeafModel> twice = leafModelOf(recipe);
+  ASSERT_FALSE(twice);
+  EXPECT_NE(twice.error().message.find("equally far"), std::string::npos) << twice.error().message;
+  recipe.margin = {{119, .2}};
+  const Result<LeafModel> beyond = leafModelOf(recipe);
+  ASSERT_FALSE(beyond);
+  EXPECT_NE(beyond.error().message.find("beyond the basal edge (118 degrees)"), std::string::npos);
+}
+
+TEST(LeafModel, EveryStepHasATitleAndNotes) {
+  for (const LeafRecipe& recipe :
+       {sycamore(), vineMaple(), mapleWithSecondaryLobes(false), mapleWithSecondaryLobes(true)}) {
+    const Result<LeafModel> leaf = leafModelOf(recipe);
+    ASSERT_TRUE(leaf);
+    for (const Step& step : leaf->model.steps) {
+      EXPECT_FALSE(step.title.empty());
+      EXPECT_EQ(step.notes.empty() ? ' ' : step.notes.back(), '.') << step.title;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kiri
