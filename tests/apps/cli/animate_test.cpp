@@ -1,25 +1,21 @@
 // kiri animate as a person or a script meets it.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "apps/cli/run.h"
+#include "apps/cli/exit_codes.h"
 #include "render/canvas/png.h"
+#include "tests/apps/cli/run_kiri.h"
 
 namespace kiri::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kModel =
     R"({"format": "kiri", "version": 1, "sheet": {"shape": "square", "side": 100}, "steps": [
@@ -27,41 +23,21 @@ constexpr const char* kModel =
 {"do": "fold", "name": "b", "line": {"model": [[50, 50], [100, 50]]}, "type": "valley", "move": "left"},
 {"do": "unfold", "folds": ["b"]}]})";
 
-struct Outcome {
-  int code = 0;
-  std::string err;
-};
-
-class Animate : public ::testing::Test {
+class Animate : public KiriFolder {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "kiri-animate-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    std::ofstream(folder_ / "m.kiri") << kModel;
+    KiriFolder::SetUp();
+    put("m.kiri", kModel);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::size_t fileCount() const {
-    std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
-    return count;
-  }
   /// kiri animate with small frames; stops after asking `patience` times.
-  Outcome animate(const std::vector<std::string>& more, int patience = 1000000) const {
+  Answer animate(const std::vector<std::string>& more, int patience = 1000000) const {
     std::vector<std::string> arguments = {"animate", path("m.kiri")};
     if (std::find(more.begin(), more.end(), "--size") == more.end()) {
       arguments.insert(arguments.end(), {"--size", "64x48"});
     }
     arguments.insert(arguments.end(), more.begin(), more.end());
-    std::istringstream in;
-    std::ostringstream out;
-    std::ostringstream err;
-    int asked = 0;
-    Console console{in, out, err, false, [&] { return ++asked > patience; }};
-    const int code = run(arguments, console);
-    return {code, err.str()};
+    return runKiri(arguments, {"", false, patience});
   }
   Image picture(const std::string& name) const {
     std::ifstream file(path(name), std::ios::binary);
@@ -69,9 +45,6 @@ class Animate : public ::testing::Test {
     EXPECT_TRUE(image.isOk()) << name;
     return image.isOk() ? *image : Image{};
   }
-
- private:
-  fs::path folder_;
 };
 
 std::string answerOf(const std::string& command) {
@@ -89,7 +62,7 @@ bool isThere(const std::string& program) {
 
 TEST_F(Animate, WritesNumberedPicturesOfEveryFrame) {
   // Rests of 0.6, 0.5, 0.5 and 1.2 s, three half turns of 1 s: 5.8 s at 5 frames a second.
-  const Outcome answer =
+  const Answer answer =
       animate({"--fps", "5", "--speed", "180", "--hold", "0.5", "-o", path("f_%03d.png")});
   ASSERT_EQ(answer.code, kDone) << answer.err;
   EXPECT_EQ(answer.err, "");
@@ -114,7 +87,7 @@ TEST_F(Animate, MakesFilmsThatFfprobeReads) {
   if (!isThere("ffmpeg") || !isThere("ffprobe")) GTEST_SKIP() << "ffmpeg is not installed";
   for (const std::string format : {"mp4", "gif"}) {
     const std::string film = path("film." + format);
-    const Outcome answer =
+    const Answer answer =
         animate({"--fps", "10", "--speed", "180", "--hold", "0.5", "--turntable", "-o", film});
     ASSERT_EQ(answer.code, kDone) << answer.err;
     EXPECT_EQ(answerOf("ffprobe -v error -count_frames -of csv=p=0 -show_entries "
@@ -129,7 +102,7 @@ TEST_F(Animate, LeavesNothingBehindWhenItIsStopped) {
   for (const std::string name : {"f.mp4", "f.gif", "f_%d.png"}) {
     for (const int patience : {0, 2, 40, 150}) {
       if (name != "f_%d.png" && !isThere("ffmpeg")) continue;
-      const Outcome answer = animate({"--fps", "20", "-o", path(name)}, patience);
+      const Answer answer = animate({"--fps", "20", "-o", path(name)}, patience);
       EXPECT_EQ(answer.code, kCancelled) << name << " " << patience << answer.err;
       EXPECT_EQ(answer.err, "error: stopped; nothing was written\n");
       EXPECT_EQ(fileCount(), 1u) << name << " " << patience;
@@ -164,13 +137,13 @@ TEST_F(Animate, SaysWhatIsWrong) {
       {{"-o", out, "--speed", "0.001"}, "choose a higher --speed"},
   };
   for (const auto& [arguments, sentence] : cases) {
-    const Outcome answer = animate(arguments);
+    const Answer answer = animate(arguments);
     EXPECT_EQ(answer.code, kBadUsage) << answer.err;
     EXPECT_NE(answer.err.find(sentence), std::string::npos)
         << answer.err << "should say: " << sentence;
   }
   EXPECT_EQ(fileCount(), 1u);
-  const Outcome answer = animate({"-o", path("nowhere/f.mp4")});
+  const Answer answer = animate({"-o", path("nowhere/f.mp4")});
   EXPECT_EQ(answer.code, kCannotWrite) << answer.err;
   EXPECT_EQ(animate({"-o", path("nowhere/f_%d.png")}).code, kCannotWrite);
 }

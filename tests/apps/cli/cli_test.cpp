@@ -1,50 +1,20 @@
 // The command line as a person or a script meets it: what it writes, says and returns.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "apps/cli/run.h"
+#include "apps/cli/exit_codes.h"
+#include "tests/apps/cli/run_kiri.h"
 
 namespace kiri::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-struct Setting {
-  std::string input;
-  bool showsProgress = false;
-  bool isCancelled = false;
-};
-
-Answer kiri(const std::vector<std::string>& arguments, const Setting& setting = {}) {
-  std::istringstream in(setting.input);
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console{in, out, err, setting.showsProgress, [&] { return setting.isCancelled; }};
-  Answer answer;
-  answer.code = run(arguments, console);
-  answer.out = out.str();
-  answer.err = err.str();
-  return answer;
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 constexpr const char* kHalf =
     R"({"do": "fold", "name": "half", "line": {"paper": [[50, 0], [50, 100]]}, "type": "valley", "move": "left"})";
@@ -60,44 +30,17 @@ std::string model(const std::string& steps, const std::string& more = "") {
          more + "\n\"steps\": [" + steps + "]}";
 }
 
-/// A folder of its own for each test.
-class Cli : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "kiri-cli-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string put(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return path(name);
-  }
-  std::string get(const std::string& name) const {
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::size_t fileCount() const {
-    std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
-    return count;
-  }
-
- private:
-  fs::path folder_;
-};
+using Cli = KiriFolder;
 
 TEST_F(Cli, ExplainsEveryCommandWithExamples) {
-  EXPECT_EQ(kiri({"--help"}).code, kDone);
-  EXPECT_TRUE(holds(kiri({"--help"}).out, "Exit codes:"));
-  EXPECT_TRUE(holds(kiri({"--version"}).out, "KiriSim"));
+  EXPECT_EQ(runKiri({"--help"}).code, kDone);
+  EXPECT_TRUE(contains(runKiri({"--help"}).out, "Exit codes:"));
+  EXPECT_TRUE(contains(runKiri({"--version"}).out, "KiriSim"));
   for (const std::string command : {"render", "sheet", "animate", "info", "steps", "export",
                                     "resolve", "check", "states", "convert"}) {
-    const Answer answer = kiri({command, "--help"});
+    const Answer answer = runKiri({command, "--help"});
     EXPECT_EQ(answer.code, kDone) << command;
-    EXPECT_TRUE(holds(answer.out, "Examples:\n  kiri " + command)) << answer.out;
+    EXPECT_TRUE(contains(answer.out, "Examples:\n  kiri " + command)) << answer.out;
     EXPECT_EQ(answer.err, "");
   }
 }
@@ -177,9 +120,9 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
       {{"export", file, "-o", path("o.fold"), "--view", "flat"}, "it takes folded or pattern"},
   };
   for (const Case& one : cases) {
-    const Answer answer = kiri(one.arguments);
+    const Answer answer = runKiri(one.arguments);
     EXPECT_EQ(answer.code, kBadUsage) << one.sentence << "\n" << answer.err;
-    EXPECT_TRUE(holds(answer.err, one.sentence)) << answer.err << "should say: " << one.sentence;
+    EXPECT_TRUE(contains(answer.err, one.sentence)) << answer.err << "should say: " << one.sentence;
     EXPECT_EQ(answer.err.rfind("error: ", 0), 0u) << answer.err;
     EXPECT_EQ(answer.out, "");
   }
@@ -187,17 +130,17 @@ TEST_F(Cli, SaysWhatIsWrongWithACommandLine) {
 }
 
 TEST_F(Cli, SaysWhatIsWrongWithAModel) {
-  const Answer missing = kiri({"info", path("nothing.kiri")});
+  const Answer missing = runKiri({"info", path("nothing.kiri")});
   EXPECT_EQ(missing.code, kBadModel);
-  EXPECT_TRUE(holds(missing.err, "nothing.kiri: there is no such file")) << missing.err;
-  EXPECT_TRUE(holds(kiri({"info", path("")}).err, "it is a folder"));
-  const Answer broken = kiri({"info", put("b.kiri", "{")});
+  EXPECT_TRUE(contains(missing.err, "nothing.kiri: there is no such file")) << missing.err;
+  EXPECT_TRUE(contains(runKiri({"info", path("")}).err, "it is a folder"));
+  const Answer broken = runKiri({"info", put("b.kiri", "{")});
   EXPECT_EQ(broken.code, kBadModel);
-  EXPECT_TRUE(holds(broken.err, "b.kiri:1:2: this is not valid JSON")) << broken.err;
-  const Answer sheet = kiri({"info", "-"}, {R"({"format": "kiri", "version": 1, "steps": [],
+  EXPECT_TRUE(contains(broken.err, "b.kiri:1:2: this is not valid JSON")) << broken.err;
+  const Answer sheet = runKiri({"info", "-"}, {R"({"format": "kiri", "version": 1, "steps": [],
     "sheet": {"shape": "polygon", "outline": [[0, 0], [10, 10], [10, 0], [0, 10]]}})"});
   EXPECT_EQ(sheet.code, kBadModel);
-  EXPECT_TRUE(holds(sheet.err, "standard input: sheet: ")) << sheet.err;
+  EXPECT_TRUE(contains(sheet.err, "standard input: sheet: ")) << sheet.err;
 }
 
 TEST_F(Cli, NamesTheStepThatDoesNotApplyAndWorksBeforeIt) {
@@ -208,33 +151,33 @@ TEST_F(Cli, NamesTheStepThatDoesNotApplyAndWorksBeforeIt) {
                                              {"export", file, "-o", path("o.fold")},
                                              {"resolve", file, "-o", path("o.kiri")},
                                              {"info", file}}) {
-    const Answer answer = kiri(command);
+    const Answer answer = runKiri(command);
     EXPECT_EQ(answer.code, kBadModel) << command[0];
-    EXPECT_TRUE(holds(answer.err, "m.kiri: step 2 (angle \"Open it\"): ")) << answer.err;
+    EXPECT_TRUE(contains(answer.err, "m.kiri: step 2 (angle \"Open it\"): ")) << answer.err;
   }
   EXPECT_EQ(fileCount(), 1u);
-  EXPECT_EQ(kiri({"render", file, "--step", "1", "-o", path("o.svg")}).code, kDone);
-  EXPECT_EQ(kiri({"sheet", file, "--steps", "1-2", "-o", path("s.svg")}).code, kDone);
-  EXPECT_EQ(kiri({"info", file, "--step", "1"}).code, kDone);
+  EXPECT_EQ(runKiri({"render", file, "--step", "1", "-o", path("o.svg")}).code, kDone);
+  EXPECT_EQ(runKiri({"sheet", file, "--steps", "1-2", "-o", path("s.svg")}).code, kDone);
+  EXPECT_EQ(runKiri({"info", file, "--step", "1"}).code, kDone);
 
-  const Answer steps = kiri({"steps", file, "--json"});
+  const Answer steps = runKiri({"steps", file, "--json"});
   EXPECT_EQ(steps.code, kBadModel);
   const json list = json::parse(steps.out)["steps"];
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0]["applies"], true);
   EXPECT_EQ(list[1]["applies"], false);
   EXPECT_TRUE(list[1]["error"].is_string());
-  EXPECT_TRUE(holds(kiri({"steps", file}).out, "2 (angle \"Open it\"): does not apply: "));
+  EXPECT_TRUE(contains(runKiri({"steps", file}).out, "2 (angle \"Open it\"): does not apply: "));
 }
 
 TEST_F(Cli, GoesOnAfterACollisionWithAWarning) {
   const std::string file = put("m.kiri", model(std::string(kHalf) + "," + kThrough));
-  const Answer answer = kiri({"render", file, "-o", path("o.png")});
+  const Answer answer = runKiri({"render", file, "-o", path("o.png")});
   EXPECT_EQ(answer.code, kDone) << answer.err;
-  EXPECT_TRUE(holds(answer.err, "warning: ")) << answer.err;
-  EXPECT_TRUE(holds(answer.err, "m.kiri: step 2 (fold \"through\"): ")) << answer.err;
+  EXPECT_TRUE(contains(answer.err, "warning: ")) << answer.err;
+  EXPECT_TRUE(contains(answer.err, "m.kiri: step 2 (fold \"through\"): ")) << answer.err;
   EXPECT_EQ(get("o.png").substr(1, 3), "PNG");
-  const json info = json::parse(kiri({"info", file, "--json"}).out);
+  const json info = json::parse(runKiri({"info", file, "--json"}).out);
   ASSERT_GE(info["collisions"].size(), 1u);
   EXPECT_EQ(info["collisions"][0]["step"], 2);
   EXPECT_TRUE(info["collisions"][0]["message"].is_string());
@@ -242,7 +185,7 @@ TEST_F(Cli, GoesOnAfterACollisionWithAWarning) {
 
 TEST_F(Cli, PrintsTheFiguresOfAState) {
   const std::string file = put("m.kiri", model(kHalf));
-  const json folded = json::parse(kiri({"info", file, "--json"}).out);
+  const json folded = json::parse(runKiri({"info", file, "--json"}).out);
   EXPECT_EQ(folded["steps"], 1);
   EXPECT_EQ(folded["step"], 1);
   EXPECT_EQ(folded["facets"], 2);
@@ -258,72 +201,77 @@ TEST_F(Cli, PrintsTheFiguresOfAState) {
   EXPECT_EQ(folded["fold_line_list"][0]["angle"], 180);
   EXPECT_EQ(folded["model_box_mm"]["low"], json({50, 0, 0}));
   EXPECT_EQ(folded["model_box_mm"]["high"], json({100, 100, 0}));
-  const json sheet = json::parse(kiri({"info", file, "--step", "0", "--json"}).out);
+  const json sheet = json::parse(runKiri({"info", file, "--step", "0", "--json"}).out);
   EXPECT_EQ(sheet["facets"], 1);
   EXPECT_EQ(sheet["layers"], 1);
   EXPECT_EQ(sheet["fold_lines"], 0);
-  EXPECT_TRUE(holds(kiri({"info", file}).out, "layers      2\n"));
+  EXPECT_TRUE(contains(runKiri({"info", file}).out, "layers      2\n"));
 }
 
 TEST_F(Cli, ShowsAnyMomentBetweenTwoSteps) {
   const std::string file = put("m.kiri", model(std::string(kHalf) + ", " + kMissing));
   const auto figures = [&](const std::string& step) {
-    return json::parse(kiri({"info", file, "--step", step, "--json"}).out);
+    return json::parse(runKiri({"info", file, "--step", step, "--json"}).out);
   };
   EXPECT_EQ(figures("0.5")["step"], 0.5);
   EXPECT_EQ(figures("0.5")["fold_line_list"][0]["angle"], 90);
   EXPECT_EQ(figures("0.25")["fold_line_list"][0]["angle"], 45);
   EXPECT_EQ(figures("1")["fold_line_list"][0]["angle"], 180);
-  EXPECT_TRUE(holds(kiri({"info", file, "--step", "0.5"}).out, "0.5 of 2\n"));
+  EXPECT_TRUE(contains(runKiri({"info", file, "--step", "0.5"}).out, "0.5 of 2\n"));
   for (const std::string ending : {"fold", "obj", "stl", "glb", "svg"}) {
     const std::string out = path("half." + ending);
-    EXPECT_EQ(kiri({"export", file, "--step", "0.5", "-o", out}).code, kDone) << ending;
+    EXPECT_EQ(runKiri({"export", file, "--step", "0.5", "-o", out}).code, kDone) << ending;
     EXPECT_GT(get("half." + ending).size(), 100u) << ending;
   }
   const json frames = json::parse(get("half.fold"))["file_frames"];
   EXPECT_EQ(frames.back()["frame_title"], "in step 1 (fold \"half\")");
-  EXPECT_TRUE(holds(get("half.obj"), " 50\n")) << "the moving half stands upright";
-  EXPECT_EQ(kiri({"render", file, "--step", "0.5", "-o", path("half.png")}).code, kDone);
+  EXPECT_TRUE(contains(get("half.obj"), " 50\n")) << "the moving half stands upright";
+  EXPECT_EQ(runKiri({"render", file, "--step", "0.5", "-o", path("half.png")}).code, kDone);
 
-  const Answer answer = kiri({"info", file, "--step", "1.5"});
+  const Answer answer = runKiri({"info", file, "--step", "1.5"});
   EXPECT_EQ(answer.code, kBadModel);
-  EXPECT_TRUE(holds(answer.err, file + ": step 2 (angle \"Open it\"): there is no fold"))
+  EXPECT_TRUE(contains(answer.err, file + ": step 2 (angle \"Open it\"): there is no fold"))
       << answer.err;
-  EXPECT_TRUE(holds(kiri({"info", file, "--step", "nan"}).err, "there is no step nan"));
+  EXPECT_TRUE(contains(runKiri({"info", file, "--step", "nan"}).err, "there is no step nan"));
 }
 
 TEST_F(Cli, ReadsStandardInputAndWritesStandardOutput) {
   const std::string text = model(kHalf);
-  const Answer svg = kiri({"render", "-", "--format", "svg", "-o", "-"}, {text});
+  const Answer svg = runKiri({"render", "-", "--format", "svg", "-o", "-"}, {text});
   EXPECT_EQ(svg.code, kDone) << svg.err;
   EXPECT_EQ(svg.out.rfind("<?xml", 0), 0u);
-  EXPECT_EQ(kiri({"render", "-", "--format", "png", "-o", "-"}, {text}).out.substr(1, 3), "PNG");
-  EXPECT_EQ(kiri({"render", "-", "--format", "pdf", "-o", "-"}, {text}).out.substr(0, 4), "%PDF");
-  EXPECT_EQ(json::parse(kiri({"info", "-", "--json"}, {text}).out)["facets"], 2);
+  EXPECT_EQ(runKiri({"render", "-", "--format", "png", "-o", "-"}, {text}).out.substr(1, 3), "PNG");
+  EXPECT_EQ(runKiri({"render", "-", "--format", "pdf", "-o", "-"}, {text}).out.substr(0, 4),
+            "%PDF");
+  EXPECT_EQ(json::parse(runKiri({"info", "-", "--json"}, {text}).out)["facets"], 2);
   EXPECT_EQ(
-      json::parse(kiri({"export", "-", "--format", "fold", "-o", "-"}, {text}).out)["file_spec"],
+      json::parse(runKiri({"export", "-", "--format", "fold", "-o", "-"}, {text}).out)["file_spec"],
       1.2);
-  EXPECT_EQ(kiri({"info", "-", "--json"}, {text}).err, "");
+  EXPECT_EQ(runKiri({"info", "-", "--json"}, {text}).err, "");
 }
 
 TEST_F(Cli, WritesEveryPicture) {
   const std::string file = put("m.kiri", model(kHalf));
-  EXPECT_EQ(kiri({"render", file, "-o", path("a.SVG")}).code, kDone);
-  EXPECT_EQ(kiri({"render", file, "--view", "back", "-o", path("b.pdf")}).code, kDone);
+  EXPECT_EQ(runKiri({"render", file, "-o", path("a.SVG")}).code, kDone);
+  EXPECT_EQ(runKiri({"render", file, "--view", "back", "-o", path("b.pdf")}).code, kDone);
   EXPECT_EQ(
-      kiri({"render", file, "--view", "-30,40", "--perspective", "40", "-o", path("d.png")}).code,
+      runKiri({"render", file, "--view", "-30,40", "--perspective", "40", "-o", path("d.png")})
+          .code,
       kDone);
-  EXPECT_EQ(kiri({"render", file, "--view", "30,20", "--shade", "--shadow", "--explode", "3",
-                  "--thickness", "0.2", "-o", path("f.svg")})
+  EXPECT_EQ(runKiri({"render", file, "--view", "30,20", "--shade", "--shadow", "--explode", "3",
+                     "--thickness", "0.2", "-o", path("f.svg")})
                 .code,
             kDone);
-  EXPECT_TRUE(holds(get("f.svg"), "fill-opacity"));
-  EXPECT_EQ(kiri({"sheet", file, "--view", "-30,40", "--shade", "-o", path("e.png")}).code, kDone);
-  EXPECT_EQ(kiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
+  EXPECT_TRUE(contains(get("f.svg"), "fill-opacity"));
+  EXPECT_EQ(runKiri({"sheet", file, "--view", "-30,40", "--shade", "-o", path("e.png")}).code,
             kDone);
-  EXPECT_EQ(kiri({"sheet", file, "--columns", "1", "--style", "diagram", "-o", path("d.svg")}).code,
-            kDone);
-  EXPECT_TRUE(holds(get("a.SVG"), "<svg"));
+  EXPECT_EQ(
+      runKiri({"render", file, "--view", "pattern", "--lines-only", "-o", path("c.png")}).code,
+      kDone);
+  EXPECT_EQ(
+      runKiri({"sheet", file, "--columns", "1", "--style", "diagram", "-o", path("d.svg")}).code,
+      kDone);
+  EXPECT_TRUE(contains(get("a.SVG"), "<svg"));
   EXPECT_EQ(get("b.pdf").substr(0, 4), "%PDF");
   EXPECT_EQ(get("c.png").substr(1, 3), "PNG");
   EXPECT_EQ(fileCount(), 8u) << "no temporary file is left";
@@ -332,23 +280,24 @@ TEST_F(Cli, WritesEveryPicture) {
 TEST_F(Cli, DrawsPaperWithoutItsTextureWhenThatCannotBeRead) {
   const std::string file =
       put("m.kiri", model(kHalf, R"("paper": {"front": {"texture": "none.png"}},)"));
-  const Answer missing = kiri({"render", file, "-o", path("o.svg")});
+  const Answer missing = runKiri({"render", file, "-o", path("o.svg")});
   EXPECT_EQ(missing.code, kDone);
-  EXPECT_TRUE(holds(missing.err, "warning: ") && holds(missing.err, "the texture is left out"))
+  EXPECT_TRUE(contains(missing.err, "warning: ") &&
+              contains(missing.err, "the texture is left out"))
       << missing.err;
   put("none.png", "no image");
-  const Answer broken = kiri({"render", file, "-o", path("o.svg")});
+  const Answer broken = runKiri({"render", file, "-o", path("o.svg")});
   EXPECT_EQ(broken.code, kDone);
-  EXPECT_TRUE(holds(broken.err, "none.png is left out: ")) << broken.err;
+  EXPECT_TRUE(contains(broken.err, "none.png is left out: ")) << broken.err;
 }
 
 TEST_F(Cli, SaysWhyItCannotWrite) {
   const std::string file = put("m.kiri", model(kHalf));
-  const Answer folder = kiri({"render", file, "-o", path("none/o.svg")});
+  const Answer folder = runKiri({"render", file, "-o", path("none/o.svg")});
   EXPECT_EQ(folder.code, kCannotWrite);
-  EXPECT_TRUE(holds(folder.err, "there is no folder ")) << folder.err;
+  EXPECT_TRUE(contains(folder.err, "there is no folder ")) << folder.err;
   fs::create_directory(path("d.svg"));
-  EXPECT_EQ(kiri({"render", file, "-o", path("d.svg")}).code, kCannotWrite);
+  EXPECT_EQ(runKiri({"render", file, "-o", path("d.svg")}).code, kCannotWrite);
   EXPECT_EQ(fileCount(), 2u);
 }
 
@@ -358,18 +307,19 @@ TEST_F(Cli, LeavesNothingBehindWhenItIsStopped) {
        std::vector<std::vector<std::string>>{{"render", file, "-o", path("o.svg")},
                                              {"sheet", file, "-o", path("o.svg")},
                                              {"export", file, "-o", path("o.fold")}}) {
-    const Answer answer = kiri(command, {"", false, true});
+    const Answer answer = runKiri(command, {"", false, 0});
     EXPECT_EQ(answer.code, kCancelled) << command[0];
-    EXPECT_TRUE(holds(answer.err, "stopped; nothing was written"));
+    EXPECT_TRUE(contains(answer.err, "stopped; nothing was written"));
   }
   EXPECT_EQ(fileCount(), 1u);
 }
 
 TEST_F(Cli, ShowsProgressOnlyWhereItIsWanted) {
   const std::string file = put("m.kiri", model(kHalf));
-  EXPECT_EQ(kiri({"render", file, "-o", path("o.svg")}).err, "");
-  EXPECT_TRUE(holds(kiri({"render", file, "-o", path("o.svg"), "--progress"}).err, "drawing"));
-  EXPECT_TRUE(holds(kiri({"render", file, "-o", path("o.svg")}, {"", true, false}).err, "folding"));
+  EXPECT_EQ(runKiri({"render", file, "-o", path("o.svg")}).err, "");
+  EXPECT_TRUE(
+      contains(runKiri({"render", file, "-o", path("o.svg"), "--progress"}).err, "drawing"));
+  EXPECT_TRUE(contains(runKiri({"render", file, "-o", path("o.svg")}, {"", true}).err, "folding"));
 }
 
 TEST_F(Cli, KeepsTheModelWhenItsChoicesAreResolved) {
@@ -377,47 +327,47 @@ TEST_F(Cli, KeepsTheModelWhenItsChoicesAreResolved) {
       std::string(kHalf) +
       R"(, {"do": "fold", "line": {"model": [[50, 40], [100, 60]]}, "type": "mountain", "move": {"point": [60, 90]}})");
   const std::string file = put("m.kiri", model_);
-  ASSERT_EQ(kiri({"resolve", file, "-o", path("r.kiri")}).code, kDone);
-  EXPECT_FALSE(holds(get("r.kiri"), "\"model\"")) << get("r.kiri");
-  json before = json::parse(kiri({"info", file, "--json"}).out);
-  json after = json::parse(kiri({"info", path("r.kiri"), "--json"}).out);
+  ASSERT_EQ(runKiri({"resolve", file, "-o", path("r.kiri")}).code, kDone);
+  EXPECT_FALSE(contains(get("r.kiri"), "\"model\"")) << get("r.kiri");
+  json before = json::parse(runKiri({"info", file, "--json"}).out);
+  json after = json::parse(runKiri({"info", path("r.kiri"), "--json"}).out);
   before.erase("file");
   after.erase("file");
   EXPECT_EQ(before, after);
-  EXPECT_EQ(kiri({"resolve", path("r.kiri"), "-o", "-"}).out, get("r.kiri"))
+  EXPECT_EQ(runKiri({"resolve", path("r.kiri"), "-o", "-"}).out, get("r.kiri"))
       << "resolving again changes nothing";
 }
 
 TEST_F(Cli, ExportsWhatOtherProgramsRead) {
   const std::string file = put("m.kiri", model(kHalf));
-  ASSERT_EQ(kiri({"export", file, "-o", path("m.fold")}).code, kDone);
+  ASSERT_EQ(runKiri({"export", file, "-o", path("m.fold")}).code, kDone);
   const json fold = json::parse(get("m.fold"));
   EXPECT_EQ(fold["file_frames"].size(), 1u);
   EXPECT_EQ(fold["file_frames"][0]["frame_title"], "step 1 (fold \"half\")");
-  ASSERT_EQ(kiri({"export", file, "--view", "pattern", "-o", path("p.fold")}).code, kDone);
+  ASSERT_EQ(runKiri({"export", file, "--view", "pattern", "-o", path("p.fold")}).code, kDone);
   EXPECT_FALSE(json::parse(get("p.fold")).contains("file_frames"));
 
-  ASSERT_EQ(kiri({"export", file, "-o", path("m.svg")}).code, kDone);
+  ASSERT_EQ(runKiri({"export", file, "-o", path("m.svg")}).code, kDone);
   const std::string svg = get("m.svg");
-  EXPECT_TRUE(holds(svg, "width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\"")) << svg;
+  EXPECT_TRUE(contains(svg, "width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\"")) << svg;
   EXPECT_TRUE(
-      holds(svg, "<path d=\"M50 100 L50 0\" data-assignment=\"V\" data-foldAngle=\"180\"") ||
-      holds(svg, "<path d=\"M50 0 L50 100\" data-assignment=\"V\" data-foldAngle=\"180\""))
+      contains(svg, "<path d=\"M50 100 L50 0\" data-assignment=\"V\" data-foldAngle=\"180\"") ||
+      contains(svg, "<path d=\"M50 0 L50 100\" data-assignment=\"V\" data-foldAngle=\"180\""))
       << svg;
-  EXPECT_TRUE(holds(svg, "Z\" data-assignment=\"B\"")) << "the contour is closed";
+  EXPECT_TRUE(contains(svg, "Z\" data-assignment=\"B\"")) << "the contour is closed";
 
-  ASSERT_EQ(kiri({"export", file, "--layer-gap", "0.5", "-o", path("m.obj")}).code, kDone);
+  ASSERT_EQ(runKiri({"export", file, "--layer-gap", "0.5", "-o", path("m.obj")}).code, kDone);
   const std::string obj = get("m.obj");
-  EXPECT_TRUE(holds(obj, "g facet_0\n") && holds(obj, "g facet_1\n"));
-  EXPECT_TRUE(holds(obj, " 0.5\n")) << "the upper layer is lifted";
+  EXPECT_TRUE(contains(obj, "g facet_0\n") && contains(obj, "g facet_1\n"));
+  EXPECT_TRUE(contains(obj, " 0.5\n")) << "the upper layer is lifted";
 
   // Two facets of half the sheet: two triangles on each side, four sides of two.
-  ASSERT_EQ(kiri({"export", file, "--thickness", "0.5", "-o", path("m.stl")}).code, kDone);
+  ASSERT_EQ(runKiri({"export", file, "--thickness", "0.5", "-o", path("m.stl")}).code, kDone);
   EXPECT_EQ(get("m.stl").size(), 84u + 50u * 2 * (2 + 2 + 8));
-  ASSERT_EQ(kiri({"export", file, "-o", path("m.glb")}).code, kDone);
+  ASSERT_EQ(runKiri({"export", file, "-o", path("m.glb")}).code, kDone);
   EXPECT_EQ(get("m.glb").substr(0, 4), "glTF");
-  ASSERT_EQ(kiri({"export", file, "--animate", "-o", path("a.glb")}).code, kDone);
-  EXPECT_TRUE(holds(get("a.glb"), "\"animations\""));
+  ASSERT_EQ(runKiri({"export", file, "--animate", "-o", path("a.glb")}).code, kDone);
+  EXPECT_TRUE(contains(get("a.glb"), "\"animations\""));
 }
 
 }  // namespace

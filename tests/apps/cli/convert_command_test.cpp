@@ -12,13 +12,14 @@
 #include "apps/cli/exit_codes.h"
 #include "io/patterns/pattern_file.h"
 #include "tests/apps/cli/pattern_cli.h"
+#include "tests/apps/cli/run_kiri.h"
 
 namespace kiri::cli {
 namespace {
 
 using nlohmann::json;
 
-using ConvertCommand = PatternCli;
+using ConvertCommand = KiriFolder;
 
 const std::vector<std::string> kPatternEndings = {"fold", "cp", "opx", "svg", "dxf"};
 
@@ -60,7 +61,7 @@ TEST_F(ConvertCommand, KeepsEveryLineBitByBitBetweenPatternFormats) {
 TEST_F(ConvertCommand, SaysWhatAFormatCannotHold) {
   const std::string file = put("map.fold", mapAsFold("U"));
   ASSERT_EQ(runKiri({"states", file, "-o", path("folded.fold")}).code, kDone);
-  const PatternAnswer answer = runKiri({"convert", path("folded.fold"), path("o.cp")});
+  const Answer answer = runKiri({"convert", path("folded.fold"), path("o.cp")});
   EXPECT_EQ(answer.code, kDone);
   EXPECT_TRUE(contains(answer.err, "note: ") && contains(answer.err, "layer orders")) << answer.err;
 }
@@ -103,7 +104,7 @@ TEST_F(ConvertCommand, FoldsTheStateThatWasAskedFor) {
     for (const json& letter : state["edges_assignment"]) wanted += letter == "V" ? 1U : 0U;
     EXPECT_EQ(valleys, wanted) << number;
   }
-  const PatternAnswer beyond = runKiri({"convert", file, path("n.kiri"), "--state", "60"});
+  const Answer beyond = runKiri({"convert", file, path("n.kiri"), "--state", "60"});
   EXPECT_EQ(beyond.code, kBadModel);
   EXPECT_TRUE(contains(beyond.err, "60")) << beyond.err;
 }
@@ -124,10 +125,10 @@ TEST_F(ConvertCommand, TakesModelsToPatternsAndBack) {
 }
 
 TEST_F(ConvertCommand, WorksInPipes) {
-  const PatternAnswer cp = runKiri({"convert", "-", "-", "--format", "cp"}, {mapAsFold("M")});
+  const Answer cp = runKiri({"convert", "-", "-", "--format", "cp"}, {mapAsFold("M")});
   EXPECT_EQ(cp.code, kDone) << cp.err;
   EXPECT_EQ(drawingIn(cp.out, "o.cp").lines.size(), 17u);
-  const PatternAnswer kiri = runKiri({"convert", "-", "-", "--format", "kiri"}, {starAsCp(0)});
+  const Answer kiri = runKiri({"convert", "-", "-", "--format", "kiri"}, {starAsCp(0)});
   EXPECT_EQ(json::parse(kiri.out)["format"], "kiri") << kiri.err;
   EXPECT_EQ(json::parse(runKiri({"info", "-", "--json"}, {kiri.out}).out)["layers"], 4);
 }
@@ -147,7 +148,7 @@ TEST_F(ConvertCommand, SaysWhatIsWrong) {
       {{"convert", model, path("o.cp"), "--flat"}, "is a model already"},
   };
   for (const auto& [arguments, sentence] : cases) {
-    const PatternAnswer answer = runKiri(arguments);
+    const Answer answer = runKiri(arguments);
     EXPECT_EQ(answer.code, kBadUsage) << sentence;
     EXPECT_TRUE(contains(answer.err, sentence)) << answer.err << "should say: " << sentence;
   }
@@ -172,7 +173,7 @@ TEST_F(ConvertCommand, OtherCommandsTakePatternsAsModels) {
       {"animate", file, "-o", path("f_%d.png"), "--size", "64x48", "--fps", "2"},
   };
   for (const std::vector<std::string>& command : commands) {
-    const PatternAnswer answer = runKiri(command);
+    const Answer answer = runKiri(command);
     EXPECT_EQ(answer.code, kDone) << command[0] << answer.err;
   }
   EXPECT_GT(fileCount(), 6u);

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "apps/cli/run.h"
+#include "apps/cli/exit_codes.h"
+#include "tests/apps/cli/run_kiri.h"
 
 namespace kiri::cli {
 namespace {
@@ -13,27 +13,13 @@ namespace {
 constexpr const char* kKite = R"({"format": "kiri", "version": 1, "sheet": {"shape": "polygon",
   "outline": [[0, 0], [10, 20], [0, 40], [-10, 20]]}, "steps": []})";
 
-struct MeasureRun {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-MeasureRun measureRun(std::vector<std::string> arguments) {
-  std::istringstream in(kKite);
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console{in, out, err, false, {}};
+Answer measureRun(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"measure", "-", "--petiole", "0", "0"});
-  MeasureRun done;
-  done.code = run(arguments, console);
-  done.out = out.str();
-  done.err = err.str();
-  return done;
+  return runKiri(arguments, {kKite});
 }
 
 TEST(MeasureCommand, JsonHoldsTheMeasuresAndNamesTheConventions) {
-  const MeasureRun done = measureRun({"--json"});
+  const Answer done = measureRun({"--json"});
   ASSERT_EQ(done.code, kDone) << done.err;
   const auto measures = nlohmann::json::parse(done.out);
   EXPECT_NEAR(measures["length"].get<double>(), 40, 1e-9);
@@ -46,7 +32,7 @@ TEST(MeasureCommand, JsonHoldsTheMeasuresAndNamesTheConventions) {
 }
 
 TEST(MeasureCommand, CsvHasOneMeasureARow) {
-  const MeasureRun done = measureRun({"--csv"});
+  const Answer done = measureRun({"--csv"});
   ASSERT_EQ(done.code, kDone) << done.err;
   EXPECT_EQ(done.out.substr(0, done.out.find('\n')), "measure,value,unit,angle,x,y");
   EXPECT_NE(done.out.find("\nwidth,20,mm,,,\n"), std::string::npos) << done.out;

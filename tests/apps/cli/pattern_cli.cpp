@@ -1,33 +1,11 @@
-// kiri run on crease patterns in a folder of its own, for tests.
+// Crease patterns for tests of the command line.
 // SPDX-License-Identifier: MIT
 #include "tests/apps/cli/pattern_cli.h"
 
-#include <unistd.h>
-
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
-#include "apps/cli/run.h"
-
 namespace kiri::cli {
-
-PatternAnswer runKiri(const std::vector<std::string>& arguments, const PatternSetting& setting) {
-  std::istringstream in(setting.input);
-  std::ostringstream out;
-  std::ostringstream err;
-  int asked = 0;
-  Console console{in, out, err, setting.showsProgress, [&] { return ++asked > setting.patience; }};
-  PatternAnswer answer;
-  answer.code = run(arguments, console);
-  answer.out = out.str();
-  answer.err = err.str();
-  return answer;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string mapAsFold(const std::string& letter) {
   std::string vertices;
@@ -59,30 +37,6 @@ std::string starAsCp(double degrees) {
   constexpr double kTurn = 3.14159265358979323846 / 180;
   out << "3 0 0 50 " << 50 * std::tan(degrees * kTurn) << "\n";
   return out.str();
-}
-
-void PatternCli::SetUp() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "kiri-patterns-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-  folder_ = pattern;
-}
-
-void PatternCli::TearDown() { std::filesystem::remove_all(folder_); }
-
-std::string PatternCli::put(const std::string& name, const std::string& text) const {
-  std::ofstream(folder_ / name) << text;
-  return path(name);
-}
-
-std::string PatternCli::get(const std::string& name) const {
-  std::ifstream in(folder_ / name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::size_t PatternCli::fileCount() const {
-  std::size_t count = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_)) ++count;
-  return count;
 }
 
 }  // namespace kiri::cli

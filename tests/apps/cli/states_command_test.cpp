@@ -9,18 +9,19 @@
 
 #include "apps/cli/exit_codes.h"
 #include "tests/apps/cli/pattern_cli.h"
+#include "tests/apps/cli/run_kiri.h"
 
 namespace kiri::cli {
 namespace {
 
 using nlohmann::json;
 
-using CheckCommand = PatternCli;
-using StatesCommand = PatternCli;
+using CheckCommand = KiriFolder;
+using StatesCommand = KiriFolder;
 
 TEST_F(CheckCommand, SaysThatAGoodPatternFolds) {
   const std::string file = put("good.cp", starAsCp(0));
-  const PatternAnswer answer = runKiri({"check", file, "--exit-code"});
+  const Answer answer = runKiri({"check", file, "--exit-code"});
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_TRUE(contains(answer.out, "CP, 4 facets, 4 creases (3 mountain, 1 valley)\n"));
   EXPECT_TRUE(contains(answer.out, "\nfolds flat around every vertex\ncloses as a whole"))
@@ -29,7 +30,7 @@ TEST_F(CheckCommand, SaysThatAGoodPatternFolds) {
 
 TEST_F(CheckCommand, NamesVertexRuleAndAmountOfEveryFault) {
   const std::string file = put("bad.cp", starAsCp(7));
-  const PatternAnswer answer = runKiri({"check", file});
+  const Answer answer = runKiri({"check", file});
   EXPECT_EQ(answer.code, kDone) << "it could be judged";
   EXPECT_TRUE(contains(answer.out, "\n1 vertex does not fold flat\n")) << answer.out;
   EXPECT_TRUE(contains(answer.out, "does not close as a whole: ")) << answer.out;
@@ -48,7 +49,7 @@ TEST_F(CheckCommand, NamesVertexRuleAndAmountOfEveryFault) {
 TEST_F(CheckCommand, DrawsTheFaults) {
   const std::string file = put("bad.cp", starAsCp(7));
   for (const std::string ending : {"svg", "png", "pdf"}) {
-    const PatternAnswer answer = runKiri({"check", file, "-o", path("o." + ending)});
+    const Answer answer = runKiri({"check", file, "-o", path("o." + ending)});
     EXPECT_EQ(answer.code, kDone) << answer.err;
     EXPECT_TRUE(contains(answer.out, "1 vertex does not fold flat"));
     EXPECT_GT(get("o." + ending).size(), 1000u);
@@ -63,7 +64,7 @@ TEST_F(CheckCommand, DrawsTheFaults) {
 
 TEST_F(CheckCommand, CountsWhatItRepaired) {
   const std::string file = put("twice.cp", starAsCp(0) + "2 0 0 0 -50\n2 5 5 5 5\n");
-  const PatternAnswer answer = runKiri({"check", file, "--json"});
+  const Answer answer = runKiri({"check", file, "--json"});
   const json repairs = json::parse(answer.out)["repairs"];
   std::map<std::string, int> kinds;
   for (const json& repair : repairs) {
@@ -82,8 +83,7 @@ TEST_F(CheckCommand, ReadsModelsAndPipes) {
            "type": "valley", "move": "left"}, {"do": "unfold"}]})";
   for (const std::string name : {"m.kiri", "-"}) {
     if (name != "-") put(name, model);
-    const PatternAnswer answer =
-        runKiri({"check", name == "-" ? name : path(name), "--json"}, {model});
+    const Answer answer = runKiri({"check", name == "-" ? name : path(name), "--json"}, {model});
     ASSERT_EQ(answer.code, kDone) << answer.err;
     const json report = json::parse(answer.out);
     EXPECT_EQ(report["format"], "model");
@@ -96,7 +96,7 @@ TEST_F(CheckCommand, ReadsModelsAndPipes) {
 TEST_F(StatesCommand, CountsAllStatesOfAMap) {
   const std::string file = put("map.fold", mapAsFold("U"));
   EXPECT_EQ(runKiri({"states", file, "--count"}).out, "60\n");
-  const PatternAnswer answer = runKiri({"states", file});
+  const Answer answer = runKiri({"states", file});
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_TRUE(contains(answer.out, "\n60 folded states\n")) << answer.out;
   const json report = json::parse(runKiri({"states", file, "--json"}).out);
@@ -115,14 +115,14 @@ TEST_F(StatesCommand, EveryNumberIsAnotherState) {
   const json all = json::parse(get("all.fold"));
   ASSERT_EQ(all["file_frames"].size(), 60u);
   for (const std::string number : {"0", "17", "59", "007"}) {
-    const PatternAnswer answer = runKiri({"states", file, "--state", number, "-o", path("o.fold")});
+    const Answer answer = runKiri({"states", file, "--state", number, "-o", path("o.fold")});
     ASSERT_EQ(answer.code, kDone) << answer.err;
     const json one = json::parse(get("o.fold"));
     ASSERT_EQ(one["file_frames"].size(), 1u);
     EXPECT_EQ(one["file_frames"][0]["faceOrders"],
               all["file_frames"][std::stoul(number)]["faceOrders"]);
   }
-  const PatternAnswer beyond = runKiri({"states", file, "--state", "60"});
+  const Answer beyond = runKiri({"states", file, "--state", "60"});
   EXPECT_EQ(beyond.code, kBadUsage);
   EXPECT_TRUE(contains(beyond.err, "60")) << beyond.err;
   const std::string list = runKiri({"states", file, "--all"}).out;
@@ -138,7 +138,7 @@ TEST_F(StatesCommand, TakesNoMoreStatesThanAreWanted) {
 TEST_F(StatesCommand, WritesPicturesOfOneStateOrOfMany) {
   const std::string file = put("map.fold", mapAsFold("U"));
   for (const std::string ending : {"svg", "png", "pdf"}) {
-    const PatternAnswer answer = runKiri({"states", file, "-o", path("one." + ending)});
+    const Answer answer = runKiri({"states", file, "-o", path("one." + ending)});
     EXPECT_EQ(answer.code, kDone) << answer.err;
     EXPECT_GT(get("one." + ending).size(), 500u);
   }
@@ -161,7 +161,7 @@ TEST_F(StatesCommand, SaysWhyThereIsNone) {
   std::string all = starAsCp(0);
   all[all.rfind("\n3 ") + 1] = '2';
   const std::string file = put("none.cp", all);
-  const PatternAnswer answer = runKiri({"states", file, "-o", path("o.fold")});
+  const Answer answer = runKiri({"states", file, "-o", path("o.fold")});
   EXPECT_EQ(answer.code, kBadModel);
   EXPECT_TRUE(contains(answer.out, "\nno folded state: ")) << answer.out;
   EXPECT_TRUE(contains(answer.err, "no state exists; ")) << answer.err;
@@ -183,8 +183,7 @@ TEST_F(StatesCommand, SaysWhyThereIsNone) {
 TEST_F(StatesCommand, LeavesNothingBehindWhenItIsStopped) {
   const std::string file = put("map.fold", mapAsFold("U"));
   for (const int patience : {0, 1, 3, 6}) {
-    const PatternAnswer answer =
-        runKiri({"states", file, "-o", path("o.fold")}, {"", false, patience});
+    const Answer answer = runKiri({"states", file, "-o", path("o.fold")}, {"", false, patience});
     EXPECT_EQ(answer.code, kCancelled) << patience << answer.err;
     EXPECT_TRUE(contains(answer.err, "error: stopped; nothing was written\n")) << answer.err;
     EXPECT_EQ(fileCount(), 1u);
@@ -201,7 +200,7 @@ TEST_F(StatesCommand, ShowsThePartsOfItsWork) {
 
 TEST_F(StatesCommand, EndsWhenItsTimeIsOver) {
   const std::string file = put("map.fold", mapAsFold("U"));
-  const PatternAnswer answer = runKiri({"states", file, "--json", "--time", "0.000001"});
+  const Answer answer = runKiri({"states", file, "--json", "--time", "0.000001"});
   EXPECT_EQ(answer.code, kLimitMet);
   EXPECT_TRUE(contains(answer.err, "error: the time was over while ")) << answer.err;
   const json report = json::parse(answer.out);
@@ -227,7 +226,7 @@ TEST_F(StatesCommand, SaysWhatIsWrongWithItsOptions) {
   for (const auto& [options, sentence] : cases) {
     std::vector<std::string> arguments = {"states", file};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const PatternAnswer answer = runKiri(arguments);
+    const Answer answer = runKiri(arguments);
     EXPECT_EQ(answer.code, kBadUsage) << sentence;
     EXPECT_TRUE(contains(answer.err, sentence)) << answer.err << "should say: " << sentence;
   }
@@ -235,8 +234,7 @@ TEST_F(StatesCommand, SaysWhatIsWrongWithItsOptions) {
 }
 
 TEST_F(StatesCommand, WritesToStandardOutputAlone) {
-  const PatternAnswer answer =
-      runKiri({"states", "-", "-o", "-", "--format", "fold"}, {mapAsFold("U")});
+  const Answer answer = runKiri({"states", "-", "-o", "-", "--format", "fold"}, {mapAsFold("U")});
   EXPECT_EQ(answer.code, kDone) << answer.err;
   EXPECT_EQ(json::parse(answer.out)["file_frames"].size(), 1u);
 }
@@ -246,7 +244,7 @@ TEST_F(StatesCommand, SaysWhatIsWrongWithAFile) {
        {"", "{", "hello", "{\"file_spec\": 1.2}", "2 0 0 1 1\n", "<svg></svg>"}) {
     for (const std::string name : {"bad.fold", "bad.cp", "bad.txt"}) {
       for (const std::string command : {"states", "check"}) {
-        const PatternAnswer answer = runKiri({command, put(name, text)});
+        const Answer answer = runKiri({command, put(name, text)});
         EXPECT_EQ(answer.code, kBadModel) << name << ": " << text;
         EXPECT_EQ(answer.err.rfind("error: " + path(name), 0), 0u) << answer.err;
         EXPECT_EQ(answer.out, "");
