@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/geometry/bounds.h"
 #include "core/geometry/convex.h"
 
 namespace kiri {
@@ -17,23 +18,18 @@ struct PlaneFace {
   FacetId facet;
   std::uint32_t rank = 0;
   std::vector<Vec2> polygon;  // counter-clockwise
-  Vec2 low;
-  Vec2 high;
+  Box box;
 };
 
 PlaneFace layDown(const FoldedState& state, const FacetMesh& mesh, std::uint32_t face,
                   const Rigid& plane) {
   const MeshFace& source = mesh.faces[face];
-  PlaneFace out{face, source.facet, state.layers.rankOf(source.facet), {}, {}, {}};
+  PlaneFace out{face, source.facet, state.layers.rankOf(source.facet), {}, {}};
   for (const std::uint32_t v : source.vertices) {
     out.polygon.push_back(plane.pullBack(state.poseOf(source.facet).apply(mesh.vertices[v])));
   }
   if (signedArea(out.polygon) < 0) std::reverse(out.polygon.begin(), out.polygon.end());
-  out.low = out.high = out.polygon[0];
-  for (const Vec2 p : out.polygon) {
-    out.low = {std::min(out.low.x, p.x), std::min(out.low.y, p.y)};
-    out.high = {std::max(out.high.x, p.x), std::max(out.high.y, p.y)};
-  }
+  out.box = boundsOf(out.polygon);
   return out;
 }
 
@@ -43,17 +39,19 @@ std::vector<std::vector<std::uint32_t>> candidatesBelow(const std::vector<PlaneF
   std::vector<std::uint32_t> order(faces.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(faces[a].low.x, a) < std::pair(faces[b].low.x, b);
+    return std::pair(faces[a].box.low.x, a) < std::pair(faces[b].box.low.x, b);
   });
   std::vector<std::vector<std::uint32_t>> below(faces.size());
   std::vector<std::uint32_t> active;
   for (const std::uint32_t i : order) {
     const PlaneFace& face = faces[i];
-    active.erase(std::remove_if(active.begin(), active.end(),
-                                [&](std::uint32_t j) { return faces[j].high.x <= face.low.x; }),
-                 active.end());
+    active.erase(
+        std::remove_if(active.begin(), active.end(),
+                       [&](std::uint32_t j) { return faces[j].box.high.x <= face.box.low.x; }),
+        active.end());
     for (const std::uint32_t j : active) {
-      const bool isApart = faces[j].high.y <= face.low.y || face.high.y <= faces[j].low.y;
+      const bool isApart =
+          faces[j].box.high.y <= face.box.low.y || face.box.high.y <= faces[j].box.low.y;
       if (isApart || faces[j].facet == face.facet) continue;
       const bool isLower = std::pair(faces[j].rank, j) < std::pair(face.rank, i);
       below[isLower ? i : j].push_back(isLower ? j : i);

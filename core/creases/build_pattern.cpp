@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/creases/build_pattern.h"
+#include "core/geometry/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,8 @@ double targetAngle(const MapLine& line) {
 }
 
 double diagonalOf(const std::vector<Vec2>& points) {
-  Vec2 low = points.front();
-  Vec2 high = low;
-  for (const Vec2 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return distance(low, high);
+  const Box box = boundsOf(points);
+  return distance(box.low, box.high);
 }
 
 class PatternBuilder {

@@ -2,25 +2,27 @@
 #include "core/creases/outline.h"
 
 #include <algorithm>
+#include <tuple>
 
-#include "core/geometry/orientation.h"
+#include "core/geometry/hull.h"
 
 namespace kiri {
 namespace {
 
-/// One half of the hull of points that are sorted from left to right: counter-clockwise below when
-/// they are run through forwards, above when backwards (Andrew's monotone chain).
-template <class Iterator>
-void appendChain(const LineMap& map, Iterator first, Iterator last,
-                 std::vector<std::uint32_t>& hull) {
-  const std::size_t base = hull.size();
-  for (Iterator it = first; it != last; ++it) {
-    while (hull.size() >= base + 2 && orientation(map.points[hull[hull.size() - 2]],
-                                                  map.points[hull.back()], map.points[*it]) <= 0)
-      hull.pop_back();
-    hull.push_back(*it);
+/// The points that lines end in, each once, by place.
+std::vector<std::uint32_t> sortedEnds(const LineMap& map) {
+  std::vector<std::uint32_t> ends;
+  for (const MapLine& line : map.lines) {
+    ends.push_back(line.from);
+    ends.push_back(line.to);
   }
-  hull.pop_back();
+  std::sort(ends.begin(), ends.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec2 p = map.points[a];
+    const Vec2 q = map.points[b];
+    return std::tie(p.x, p.y, a) < std::tie(q.x, q.y, b);
+  });
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
 }
 
 }  // namespace
@@ -34,22 +36,18 @@ bool showOutline(const MapFaces& faces, std::size_t lineCount) {
 }
 
 std::vector<MapLine> hullOf(const LineMap& map) {
-  std::vector<std::uint32_t> points;
-  for (const MapLine& line : map.lines) {
-    points.push_back(line.from);
-    points.push_back(line.to);
-  }
-  std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vec2 p = map.points[a];
-    const Vec2 q = map.points[b];
-    return p.x != q.x ? p.x < q.x : (p.y != q.y ? p.y < q.y : a < b);
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const std::vector<std::uint32_t> ends = sortedEnds(map);
+  std::vector<Vec2> places;
+  for (const std::uint32_t end : ends) places.push_back(map.points[end]);
+  const std::vector<Vec2> corners = convexHull(places);
+  if (corners.size() < 3) return {};
   std::vector<std::uint32_t> hull;
-  if (points.size() < 3) return {};
-  appendChain(map, points.begin(), points.end(), hull);
-  appendChain(map, points.rbegin(), points.rend(), hull);
-  if (hull.size() < 3) return {};
+  for (const Vec2 corner : corners) {
+    const auto at = std::lower_bound(places.begin(), places.end(), corner, [](Vec2 a, Vec2 b) {
+      return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+    });
+    hull.push_back(ends[static_cast<std::size_t>(at - places.begin())]);
+  }
   std::vector<MapLine> sides;
   for (std::size_t i = 0; i < hull.size(); ++i)
     sides.push_back({hull[i], hull[(i + 1) % hull.size()], Assignment::Border, std::nullopt});

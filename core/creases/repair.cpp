@@ -16,6 +16,7 @@
 #include "core/creases/repair_log.h"
 #include "core/creases/split_lines.h"
 #include "core/creases/weld.h"
+#include "core/geometry/bounds.h"
 #include "core/geometry/tolerance.h"
 
 namespace kiri {
@@ -35,18 +36,12 @@ struct PaperMap {
 
 Result<RepairScale> scaleOf(const std::vector<DrawnCrease>& lines, const RepairOptions& options,
                             const Progress& progress) {
-  Vec2 low = lines.front().from;
-  Vec2 high = low;
-  for (const DrawnCrease& line : lines) {
-    for (const Vec2 p : {line.from, line.to}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
+  Box box{lines.front().from, lines.front().from};
+  for (const DrawnCrease& line : lines) box = joined(joined(box, line.from), line.to);
   RepairScale scale;
-  scale.size = distance(low, high);
+  scale.size = distance(box.low, box.high);
   // Far away from zero doubles are coarser than the kernel's tolerance.
-  const double farAway = std::max(length(low), length(high));
+  const double farAway = std::max(length(box.low), length(box.high));
   scale.same = std::max(Tolerance(scale.size).length(),
                         8 * std::numeric_limits<double>::epsilon() * farAway);
   scale.within = std::max(scale.same, options.merge);

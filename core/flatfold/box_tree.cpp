@@ -41,11 +41,7 @@ BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), items_(boxe
 void BoxTree::build(std::uint32_t first, std::uint32_t last) {
   const std::size_t self = nodes_.size();
   Box box = boxes_[items_[first]];
-  for (std::uint32_t i = first + 1; i < last; ++i) {
-    const Box& b = boxes_[items_[i]];
-    box.low = {std::min(box.low.x, b.low.x), std::min(box.low.y, b.low.y)};
-    box.high = {std::max(box.high.x, b.high.x), std::max(box.high.y, b.high.y)};
-  }
+  for (std::uint32_t i = first + 1; i < last; ++i) box = joined(box, boxes_[items_[i]]);
   nodes_.push_back({box, first, last, 0});
   if (last - first <= kLeaf) return;
   const bool isWide = box.high.x - box.low.x >= box.high.y - box.low.y;

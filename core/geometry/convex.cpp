@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/geometry/bounds.h"
 
 namespace kiri {
 namespace {
@@ -99,19 +100,10 @@ Extent extentOf(std::span<const Vec2> polygon) {
   return e;
 }
 
-Box boxOf(std::span<const Vec2> polygon) {
-  Box box{polygon[0], polygon[0]};
-  for (const Vec2 p : polygon.subspan(1)) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
-
 /// True when the common box is wider and higher than `width`.
 bool boxesOverlap(std::span<const Vec2> a, std::span<const Vec2> b, double width) {
-  const Box p = boxOf(a);
-  const Box q = boxOf(b);
+  const Box p = boundsOf(a);
+  const Box q = boundsOf(b);
   return std::min(p.high.x, q.high.x) - std::max(p.low.x, q.low.x) > width &&
          std::min(p.high.y, q.high.y) - std::max(p.low.y, q.low.y) > width;
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/check.h"
 #include "core/geometry/bernstein.h"
+#include "core/geometry/bounds.h"
 
 namespace kiri {
 namespace {
@@ -109,13 +110,9 @@ Arc reversed(const Arc& arc) {
 }
 
 Box boundsOf(const Arc& arc) {
-  Box box{{std::min(arc.start.x, arc.end.x), std::min(arc.start.y, arc.end.y)},
-          {std::max(arc.start.x, arc.end.x), std::max(arc.start.y, arc.end.y)}};
+  Box box = joined(Box{arc.start, arc.start}, arc.end);
   if (!arc.isCurved) return box;
-  for (const Vec2 p : {arc.control1, arc.control2}) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
+  for (const Vec2 p : {arc.control1, arc.control2}) box = joined(box, p);
   return box;
 }
 

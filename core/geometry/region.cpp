@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/geometry/bounds.h"
 #include "core/geometry/convex.h"
 
 namespace kiri {
@@ -82,13 +83,7 @@ double perimeterOf(const Region& region, double tolerance) {
 
 Box boundsOf(const Region& region) {
   KIRI_CHECK(!region.loops.empty() && !region.loops[0].empty(), "a region has a border");
-  Box box = boundsOf(region.loops[0][0]);
-  for (const Arc& arc : region.loops[0]) {
-    const Box b = boundsOf(arc);
-    box.low = {std::min(box.low.x, b.low.x), std::min(box.low.y, b.low.y)};
-    box.high = {std::max(box.high.x, b.high.x), std::max(box.high.y, b.high.y)};
-  }
-  return box;
+  return boundsOf(region.loops[0]);
 }
 
 bool isConvexPolygon(const Region& region, const Tolerance& tolerance) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/bounds.h"
 #include "core/geometry/convex.h"
 #include "core/geometry/region.h"
 
@@ -16,15 +17,6 @@ namespace kiri {
 namespace {
 
 using Polygon = std::vector<Vec2>;
-
-Box boxAround(const Polygon& polygon) {
-  Box box{polygon[0], polygon[0]};
-  for (const Vec2 p : polygon) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
 
 /// A convex place of the plane that `depth` facets cover.
 struct Cell {
@@ -87,7 +79,7 @@ class CellMap {
 
   template <class Visit>
   void forSquares(const Polygon& polygon, const Visit& visit) const {
-    const Box box = boxAround(polygon);
+    const Box box = boundsOf(polygon);
     const auto square = [this](double v) {
       return static_cast<std::int64_t>(std::floor(v / square_));
     };
@@ -140,10 +132,8 @@ std::uint32_t deepestOf(const FoldedState& state, const LayerSet& set) {
       for (const Vec2 p : part.points)
         polygon.push_back(plane.pullBack(state.poseOf(facet).apply(p)));
       if (signedArea(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
-      const Box box = boxAround(polygon);
-      if (polygons.empty()) all = box;
-      all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
-      all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};
+      const Box box = boundsOf(polygon);
+      all = polygons.empty() ? box : joined(all, box);
       polygons.push_back(std::move(polygon));
     }
   }

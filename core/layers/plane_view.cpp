@@ -3,19 +3,11 @@
 
 #include <algorithm>
 
+#include "core/geometry/bounds.h"
 #include "core/geometry/convex.h"
 
 namespace kiri {
 namespace {
-
-Box boxOf(const std::vector<Vec2>& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec2 p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
 
 /// True when test(p, q) is for two parts whose boxes touch. Parts are sorted, so each needs to look
 /// at few others.
@@ -45,7 +37,7 @@ const Footprint& PlaneView::footprint(FacetId facet) {
     points.reserve(part.points.size());
     for (const Vec2 p : part.points) points.push_back(toPlane(pose.apply(p)));
     if (isFlipped) std::reverse(points.begin(), points.end());
-    const Box box = boxOf(points);
+    const Box box = boundsOf(points);
     result.box = result.parts.empty() ? box : joined(result.box, box);
     result.parts.push_back({std::move(points), box});
   }

@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/layers/topmost.h"
+#include "core/paper/facet_bounds.h"
 #include "core/paper/inscribe.h"
 
 namespace kiri {
@@ -23,18 +24,7 @@ std::optional<Vec3> liftedTo(const Rigid& pose, Vec2 model) {
 }
 
 bool isInBox(const CreasePattern& pattern, FacetId facet, Vec2 p, double margin) {
-  const Box box = [&] {
-    Box b{pattern[startOf(pattern, pattern[facet].border.front())], {}};
-    b.high = b.low;
-    for (const EdgeUse use : pattern[facet].border) {
-      const Box arc = boundsOf(arcOf(pattern, use));
-      b.low = {std::min(b.low.x, arc.low.x), std::min(b.low.y, arc.low.y)};
-      b.high = {std::max(b.high.x, arc.high.x), std::max(b.high.y, arc.high.y)};
-    }
-    return b;
-  }();
-  return p.x >= box.low.x - margin && p.x <= box.high.x + margin && p.y >= box.low.y - margin &&
-         p.y <= box.high.y + margin;
+  return holds(boundsOf(pattern, pattern[facet]), p, margin);
 }
 
 /// The topmost facet that holds a model-frame place.

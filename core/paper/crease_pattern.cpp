@@ -1,6 +1,7 @@
 // The planar map's queries.
 // SPDX-License-Identifier: MIT
 #include "core/paper/crease_pattern.h"
+#include "core/paper/facet_bounds.h"
 
 #include <algorithm>
 
@@ -26,26 +27,6 @@ Vec2 meanOfCorners(const CreasePattern& pattern, const Facet& facet) {
   Vec2 sum;
   for (const EdgeUse use : facet.border) sum = sum + pattern[startOf(pattern, use)];
   return sum / static_cast<double>(facet.border.size());
-}
-
-bool boxHolds(const CreasePattern& pattern, const Facet& facet, Vec2 p, double margin) {
-  Box box{p, p};
-  bool isFirst = true;
-  const auto add = [&](Vec2 q) {
-    if (isFirst) box = {q, q};
-    isFirst = false;
-    box.low = {std::min(box.low.x, q.x), std::min(box.low.y, q.y)};
-    box.high = {std::max(box.high.x, q.x), std::max(box.high.y, q.y)};
-  };
-  for (const EdgeUse use : facet.border) {
-    add(pattern[startOf(pattern, use)]);
-    const Edge& edge = pattern[use.edge];
-    if (!edge.isCurved()) continue;
-    add(pattern.curves[edge.curve].control1);
-    add(pattern.curves[edge.curve].control2);
-  }
-  return p.x >= box.low.x - margin && p.x <= box.high.x + margin && p.y >= box.low.y - margin &&
-         p.y <= box.high.y + margin;
 }
 
 }  // namespace
@@ -132,7 +113,7 @@ std::optional<FacetId> facetAt(const CreasePattern& pattern, Vec2 paper) {
   std::optional<FacetId> onBorder;
   std::optional<FacetId> near;
   for (std::size_t i = 0; i < pattern.facets.size(); ++i) {
-    if (!boxHolds(pattern, pattern.facets[i], paper, pick)) continue;
+    if (!holds(boundsOf(pattern, pattern.facets[i]), paper, pick)) continue;
     const Region region = regionOf(pattern, FacetId(i));
     const Where where = locate(region, paper, tol);
     if (where == Where::Inside) return FacetId(i);

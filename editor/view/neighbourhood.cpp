@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/geometry/bounds.h"
 #include "core/geometry/rigid.h"
 #include "render/visibility/facet_view.h"
 #include "render/visibility/grid.h"
@@ -25,16 +26,6 @@ void forHull(const CreasePattern& pattern, FacetId facet, const Visit& visit) {
     visit(pattern.curves[edge.curve].control1);
     visit(pattern.curves[edge.curve].control2);
   }
-}
-
-void widen(Box& box, Vec2 p) {
-  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-}
-
-bool holds(const Box& box, Vec2 p, double margin) {
-  return p.x >= box.low.x - margin && p.x <= box.high.x + margin && p.y >= box.low.y - margin &&
-         p.y <= box.high.y + margin;
 }
 
 /// Pixels: what a question may ask right beside the radius.
@@ -91,8 +82,8 @@ void Neighbourhood::gather(Vec2 pixels, double radius) {
     bool isBehind = false;
     forHull(state_.pattern, facet, [&](Vec2 p) {
       const Vec3 place = pose.apply(p);
-      widen(paper, p);
-      widen(seen, map_.toPixels(place));
+      paper = joined(paper, p);
+      seen = joined(seen, map_.toPixels(place));
       if (map_.frame.isPerspective() && map_.frame.enlargement(place) <= 0) isBehind = true;
     });
     if (!areNear(seen, wanted, 0) || isBehind) continue;

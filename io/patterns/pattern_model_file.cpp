@@ -5,24 +5,20 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/geometry/bounds.h"
 
 namespace kiri {
 namespace {
 
 /// The longest side of the box of all lines that have a place.
 double longestSideOf(const CreaseDrawing& drawing) {
-  double low[2] = {HUGE_VAL, HUGE_VAL};
-  double high[2] = {-HUGE_VAL, -HUGE_VAL};
+  Box box{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
   for (const DrawnCrease& line : drawing.lines) {
     for (const Vec2 p : {line.from, line.to}) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-      low[0] = std::min(low[0], p.x);
-      low[1] = std::min(low[1], p.y);
-      high[0] = std::max(high[0], p.x);
-      high[1] = std::max(high[1], p.y);
+      if (std::isfinite(p.x) && std::isfinite(p.y)) box = joined(box, p);
     }
   }
-  return std::max(high[0] - low[0], high[1] - low[1]);
+  return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
 }
 
 void append(std::string& text, const std::string& more) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/bounds.h"
 #include "render/canvas/rasterise.h"
 #include "render/scene/model_scene.h"
 #include "render/scene/shadow.h"
@@ -123,11 +124,8 @@ Status Film::findPage(const Progress& progress) {
     const Result<ViewFrame> view = frameOf(viewAt(seconds), sphere_);
     if (!view) return view.error();
     const Vec2 middle = view->project(sphere_.centre);
-    forPoints(timeline_->stateAt(seconds), options_.view, [&](Vec3 point) {
-      const Vec2 p = view->project(point) - middle;
-      page_.low = {std::min(page_.low.x, p.x), std::min(page_.low.y, p.y)};
-      page_.high = {std::max(page_.high.x, p.x), std::max(page_.high.y, p.y)};
-    });
+    forPoints(timeline_->stateAt(seconds), options_.view,
+              [&](Vec3 point) { page_ = joined(page_, view->project(point) - middle); });
   }
   return std::monostate{};
 }

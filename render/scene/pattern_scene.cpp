@@ -110,10 +110,8 @@ Box boxOf(const CreasePattern& pattern) {
   for (std::size_t e = 0; e < pattern.edges.size(); ++e) {
     if (!pattern.edges[e].left.isValid() && !pattern.edges[e].right.isValid()) continue;
     const Box b = boundsOf(arcOf(pattern, EdgeId(e)));
-    if (isEmpty) box = b;
+    box = isEmpty ? b : joined(box, b);
     isEmpty = false;
-    box = {{std::min(box.low.x, b.low.x), std::min(box.low.y, b.low.y)},
-           {std::max(box.high.x, b.high.x), std::max(box.high.y, b.high.y)}};
   }
   return box;
 }

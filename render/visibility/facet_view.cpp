@@ -7,19 +7,10 @@
 #include <unordered_map>
 
 #include "core/base/check.h"
+#include "core/geometry/bounds.h"
 
 namespace kiri {
 namespace {
-
-Box boxOf(const std::vector<Arc>& arcs) {
-  Box box = boundsOf(arcs.front());
-  for (const Arc& arc : arcs) {
-    const Box b = boundsOf(arc);
-    box.low = {std::min(box.low.x, b.low.x), std::min(box.low.y, b.low.y)};
-    box.high = {std::max(box.high.x, b.high.x), std::max(box.high.y, b.high.y)};
-  }
-  return box;
-}
 
 /// One straight loop that turns left everywhere and only once around.
 bool isConvexLoop(const FacetView& view, double eps) {
@@ -113,7 +104,7 @@ void FacetViews::add(FacetId facet, std::uint32_t rank) {
       (dot(pose.normal(), pose.origin - centre) + dot(across, frame_.direction(centre))) / towards;
   addBorder(facet, out);
   if (out.arcs.empty()) return;
-  out.box = boxOf(out.arcs);
+  out.box = boundsOf(out.arcs);
   out.isConvex = isConvexLoop(out, tolerance().match());
   views_.push_back(std::move(out));
 }

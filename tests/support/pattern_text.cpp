@@ -1,6 +1,7 @@
 // Faces are traced by turning as far left as an edge allows, at each vertex.
 // SPDX-License-Identifier: MIT
 #include "tests/support/pattern_text.h"
+#include "core/geometry/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,13 +66,8 @@ class Drawing {
 };
 
 double sizeOf(const std::vector<Vec2>& vertices) {
-  Vec2 low = vertices.front();
-  Vec2 high = low;
-  for (const Vec2 v : vertices) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
-  return distance(low, high);
+  const Box box = boundsOf(vertices);
+  return distance(box.low, box.high);
 }
 
 /// One layer-set for each facet: enough for what does not ask how they lie.

@@ -1,6 +1,7 @@
 // Random steps of all kinds.
 // SPDX-License-Identifier: MIT
 #include "tests/support/random_steps.h"
+#include "core/geometry/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,9 @@ class Chooser {
  public:
   Chooser(Random& random, const FoldedState& state, const RandomStepOptions& options)
       : random_(random), state_(state), options_(options) {
-    low_ = high_ = state.pattern.vertices.front();
-    for (const Vec2& v : state.pattern.vertices) {
-      low_ = {std::min(low_.x, v.x), std::min(low_.y, v.y)};
-      high_ = {std::max(high_.x, v.x), std::max(high_.y, v.y)};
-    }
+    const Box box = boundsOf(state.pattern.vertices);
+    low_ = box.low;
+    high_ = box.high;
   }
 
   Action action() {
