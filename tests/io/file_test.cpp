@@ -4,34 +4,19 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <sstream>
 #include <string>
+
+#include "tests/support/scratch_folder.h"
 
 namespace kiri {
 namespace {
 
 namespace fs = std::filesystem;
 
-class File : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "kiri-file-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::size_t fileCount() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path folder_;
-};
+using File = test::ScratchFolder;
 
 TEST_F(File, ReadsBackWhatItWrote) {
   const std::string bytes("a\0b\r\n\xff", 6);

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "tests/support/scratch_folder.h"
 
 namespace kiri::cli {
 
@@ -27,20 +26,6 @@ Answer runKiri(const std::vector<std::string>& arguments, const Setting& setting
 
 bool contains(const std::string& text, const std::string& part);
 
-/// A folder of its own for each test, which goes with it.
-class KiriFolder : public ::testing::Test {
- protected:
-  void SetUp() override;
-  void TearDown() override;
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  /// Writes a file and gives its path.
-  std::string put(const std::string& name, const std::string& text) const;
-  std::string get(const std::string& name) const;
-  std::size_t fileCount() const;
-
- private:
-  std::filesystem::path folder_;
-};
+using KiriFolder = test::ScratchFolder;
 
 }  // namespace kiri::cli

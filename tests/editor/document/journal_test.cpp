@@ -8,34 +8,21 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "editor/document/document.h"
 #include "io/file.h"
 #include "io/kiri_writer.h"
 #include "tests/support/model_text.h"
+#include "tests/support/scratch_folder.h"
 
 namespace kiri::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class JournalFolder : public testing::Test {
+class JournalFolder : public ScratchFolder {
  protected:
-  JournalFolder() {
-    std::string name = (fs::temp_directory_path() / "kiri-journal-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "no folder for the test";
-    folder_ = name;
-  }
-  ~JournalFolder() override { fs::remove_all(folder_); }
-
-  std::size_t filesIn() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
-  Journal opened() const { return Journal::open(folder_).value(); }
-
-  std::string folder_;
+  Journal opened() const { return Journal::open(folder()).value(); }
 };
 
 Model small(const char* title = "boat") {
@@ -48,9 +35,9 @@ TEST_F(JournalFolder, KeepsTheModelAndWhatWasUndone) {
   {
     Journal journal = opened();
     ASSERT_TRUE(journal.note(small(), 1, "/home/me/50% of\na boat.kiri").isOk());
-    EXPECT_TRUE(leftoversIn(folder_).empty()) << "it is held";
+    EXPECT_TRUE(leftoversIn(folder()).empty()) << "it is held";
   }
-  const std::vector<Leftover> left = leftoversIn(folder_);
+  const std::vector<Leftover> left = leftoversIn(folder());
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].title, "boat");
   EXPECT_EQ(left[0].steps, 2u);
@@ -62,7 +49,7 @@ TEST_F(JournalFolder, KeepsTheModelAndWhatWasUndone) {
   EXPECT_TRUE(document.isModified());
   EXPECT_TRUE(document.redo());
   discard(left[0]);
-  EXPECT_EQ(filesIn(), 0u);
+  EXPECT_EQ(fileCount(), 0u);
 }
 
 TEST_F(JournalFolder, IsEmptyAfterAnEndInOrder) {
@@ -72,8 +59,8 @@ TEST_F(JournalFolder, IsEmptyAfterAnEndInOrder) {
     EXPECT_TRUE(journal.clear().isOk());
     EXPECT_TRUE(journal.clear().isOk()) << "nothing to clear is in order";
   }
-  EXPECT_TRUE(leftoversIn(folder_).empty());
-  EXPECT_EQ(filesIn(), 0u) << "not even a lock stays";
+  EXPECT_TRUE(leftoversIn(folder()).empty());
+  EXPECT_EQ(fileCount(), 0u) << "not even a lock stays";
 }
 
 TEST_F(JournalFolder, ProgramsBesideEachOtherHaveTheirOwn) {
@@ -82,11 +69,11 @@ TEST_F(JournalFolder, ProgramsBesideEachOtherHaveTheirOwn) {
   EXPECT_NE(one.file(), two.file());
   ASSERT_TRUE(one.note(small("one"), 2, "").isOk());
   ASSERT_TRUE(two.note(small("two"), 2, "").isOk());
-  EXPECT_TRUE(leftoversIn(folder_).empty());
+  EXPECT_TRUE(leftoversIn(folder()).empty());
   { const Journal gone = std::move(one); }
-  ASSERT_EQ(leftoversIn(folder_).size(), 1u);
+  ASSERT_EQ(leftoversIn(folder()).size(), 1u);
   const Journal three = opened();
-  EXPECT_EQ(leftoversIn(folder_).size(), 1u) << "a new one leaves it alone";
+  EXPECT_EQ(leftoversIn(folder()).size(), 1u) << "a new one leaves it alone";
 }
 
 TEST_F(JournalFolder, DamagedOnesAreLeftOutAndStay) {
@@ -100,15 +87,15 @@ TEST_F(JournalFolder, DamagedOnesAreLeftOutAndStay) {
     ASSERT_FALSE(readJournal(text.substr(0, size), "cut").isOk()) << size;
   EXPECT_FALSE(readJournal(text + "x", "longer").isOk());
   EXPECT_TRUE(readJournal(text, "whole").isOk());
-  std::ofstream(fs::path(folder_) / "7.journal") << text.substr(0, text.size() / 2);
-  EXPECT_EQ(leftoversIn(folder_).size(), 1u);
-  EXPECT_TRUE(fs::exists(fs::path(folder_) / "7.journal"));
-  EXPECT_TRUE(leftoversIn(folder_ + "/nowhere").empty());
+  put("7.journal", text.substr(0, text.size() / 2));
+  EXPECT_EQ(leftoversIn(folder()).size(), 1u);
+  EXPECT_TRUE(fs::exists(path("7.journal")));
+  EXPECT_TRUE(leftoversIn(path("nowhere")).empty());
 }
 
 TEST_F(JournalFolder, WhereNothingCanBeWrittenSaysSo) {
-  std::ofstream(fs::path(folder_) / "file") << "x";
-  const Result<Journal> refused = Journal::open(folder_ + "/file");
+  put("file", "x");
+  const Result<Journal> refused = Journal::open(path("file"));
   ASSERT_FALSE(refused.isOk());
   EXPECT_EQ(refused.error().code, ErrorCode::Unwritable);
 }
@@ -165,15 +152,15 @@ TEST_F(JournalFolder, AKillAtAnyMomentLosesAtMostTheLastStep) {
   constexpr int kKills = 50;
   for (int kill = 0; kill < kKills; ++kill) {
     const std::size_t noted = 1 + static_cast<std::size_t>(kill) % 3;
-    killWhileNoting(folder_, noted, kill * kill * 20);
-    const std::vector<Leftover> left = leftoversIn(folder_);
+    killWhileNoting(folder(), noted, kill * kill * 20);
+    const std::vector<Leftover> left = leftoversIn(folder());
     ASSERT_EQ(left.size(), 1u) << "kill " << kill;
     const Recovered content = recover(left[0]).value();
     EXPECT_TRUE(content.count == noted || content.count == noted + 1) << content.count;
     EXPECT_EQ(writeKiri(content.model), writeKiri(numbered(content.count)));
     early += content.count == noted ? 1 : 0;
     discard(left[0]);
-    ASSERT_EQ(filesIn(), 0u) << "no half written file stays";
+    ASSERT_EQ(fileCount(), 0u) << "no half written file stays";
   }
   EXPECT_GT(early, 0u) << "some were killed before the end of writing";
 }

@@ -3,7 +3,6 @@
 #include "render/film/encoder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -11,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include "tests/support/scratch_folder.h"
 
 namespace kiri {
 namespace {
@@ -52,30 +53,22 @@ Image frame(int index) {
   return image;
 }
 
-class EncoderTest : public ::testing::Test {
+class EncoderTest : public test::ScratchFolder {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "kiri-film-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
+    ScratchFolder::SetUp();
     path_ = std::getenv("PATH");
   }
   void TearDown() override {
     ::setenv("PATH", path_.c_str(), 1);
-    fs::remove_all(folder_);
+    ScratchFolder::TearDown();
   }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::size_t fileCount() const {
-    std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
-    return count;
-  }
   /// A program named ffmpeg that does what the text says, before any other.
   void standIn(const std::string& script) const {
-    fs::create_directory(folder_ / "bin");
-    std::ofstream(folder_ / "bin/ffmpeg") << "#!/bin/sh\n" << script;
-    fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
+    fs::create_directory(path("bin"));
+    std::ofstream(path("bin/ffmpeg")) << "#!/bin/sh\n" << script;
+    fs::permissions(path("bin/ffmpeg"), fs::perms::owner_all);
     ::setenv("PATH", (path("bin") + ":" + path_).c_str(), 1);
   }
 
@@ -90,7 +83,6 @@ class EncoderTest : public ::testing::Test {
   }
 
  private:
-  fs::path folder_;
   std::string path_;
 };
 
