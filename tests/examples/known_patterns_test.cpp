@@ -148,7 +148,7 @@ TEST(KnownPatterns, TheBirdBaseIsThatOfOriedita) {
 /// The angles of neck and tail are everybody's own; what lies between the wings is not.
 TEST(KnownPatterns, TheMiddleOfTheCraneIsThatOfRabbitEar) {
   KIRI_KNOWN_OR_SKIP(known, "rabbit-ear/fold/crane-cp.fold");
-  const KnownPattern crane = patternFrom(*exampleModel("origami_crane").states.at(1));
+  const KnownPattern crane = patternFrom(exampleModel("origami_crane").last());
   KnownPattern middle;
   for (const Vec2 p : known->vertices) {
     const bool isBase = areSame(p, {0, 0}) || std::abs(std::abs(p.x) - std::abs(p.y)) < 1e-9 ||
