@@ -26,7 +26,7 @@ view leaf_hornbeam opening --step 30.6 --view=-25,35 --perspective 30 --shade --
 view kirigami_snowflake layers --step 5 --view 30,25 --explode 5 --shade --dpi 100
 view ship thickness --view 20,40 --thickness 0.8 --shade --shadow --dpi 100
 maple=$(mktemp --suffix .kiri)
-./kiri leaf examples/leaves/maple_secondary_lobes.json -o "$maple"
+./kiri leaf examples/leaves/sugar_maple_lobes.json -o "$maple"
 ./kiri measure "$maple" -o docs/pictures/maple_measured.png --background '#ffffff' --dpi 90
 rm "$maple"
 ./kiri animate examples/leaf_palmate.kiri --size 320x220 --fps 12 --speed 180 --hold 0.2 -o docs/pictures/leaf_film.gif

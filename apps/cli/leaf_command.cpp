@@ -73,8 +73,8 @@ void addLeafCommand(CLI::App& app, Console& console, int& code) {
       "beside\n"
       "the lengths that one straight cut would give (the kirigami law).\n\n"
       "Examples:\n"
-      "  kiri leaf examples/leaves/sycamore.json -o sycamore.kiri\n"
-      "  kiri leaf examples/leaves/sycamore.json");
+      "  kiri leaf examples/leaves/sweet_gum.json -o sweet_gum.kiri\n"
+      "  kiri leaf examples/leaves/sweet_gum.json");
   command->callback([&console, &code, options] { code = run(console, *options); });
 }
 
