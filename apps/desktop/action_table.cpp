@@ -135,6 +135,8 @@ std::vector<ActionSpec> viewActions() {
       {"grid-coarser", KIRI_ACTION("Coarser grid"), "", "Ctrl+Shift+G", ""},
       {"shading", KIRI_ACTION("Soft ligh&t"), "", "",
        KIRI_ACTION("Facets are darker the more they are turned away"), kCheckable},
+      {"step-notes", KIRI_ACTION("Step n&otes"), "info", "",
+       KIRI_ACTION("What is done in the step that is shown, below the panes"), kCheckable},
       {"full-screen", KIRI_ACTION("F&ull screen"), "", "F11", "", kCheckable},
   };
 }

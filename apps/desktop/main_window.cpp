@@ -64,6 +64,8 @@ void MainWindow::makeCentre(ModelView::Drawing drawing) {
   splitter_->setSizes({5000, 3000});  // shares, until the person has chosen
   column->addWidget(fieldBar_);
   column->addWidget(splitter_, 1);
+  caption_ = new CaptionBar(hub_, centre);
+  column->addWidget(caption_);
   // Keys that mean other things elsewhere work in the panes and in the bar above them.
   for (QAction* action : actions_.all()) {
     if (actions_.scopeOf(*action) == KeyScope::Panes) centre->addAction(action);
@@ -112,6 +114,7 @@ void MainWindow::connectParts() {
           [this] { docks_.pattern->walk(1); });
   connect(&actions_["previous-state"], &QAction::triggered, docks_.pattern,
           [this] { docks_.pattern->walk(-1); });
+  connectCaption();
   connect(docks_.steps, &StepsList::removeWanted, edit_, &EditDesk::removeStep);
   connect(docks_.step, &StepPanel::removeWanted, edit_, &EditDesk::removeStep);
   connect(&actions_["full-screen"], &QAction::toggled, this,
@@ -121,6 +124,23 @@ void MainWindow::connectParts() {
   connect(&settings_, &Settings::preferencesChanged, view_, &ViewDesk::applyPreferences);
   actions_.setKeys(settings_.shortcuts());
   fieldBar_->setTool(actions_["fold"]);
+}
+
+/// The buttons of the caption walk through the film while one is open, else through the steps.
+void MainWindow::connectCaption() {
+  connect(files_, &FileDesk::opened, caption_, &CaptionBar::introduce);
+  connect(caption_, &CaptionBar::startWanted, this, [this] { hub_.session().jumpTo(0); });
+  connect(caption_, &CaptionBar::stepWanted, this, [this](int by) {
+    if (hub_.session().isPlayerOpen()) return docks_.player->skip(by);
+    actions_[by < 0 ? "previous-step" : "next-step"].trigger();
+  });
+  QAction& notes = actions_["step-notes"];
+  notes.setChecked(settings_.value("view/notes", true).toBool());
+  caption_->setWanted(notes.isChecked());
+  connect(&notes, &QAction::toggled, this, [this](bool isOn) {
+    caption_->setWanted(isOn);
+    settings_.setValue("view/notes", isOn);
+  });
 }
 
 void MainWindow::refreshTitle() {

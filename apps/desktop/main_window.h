@@ -11,6 +11,7 @@
 #include "apps/desktop/edit_desk.h"
 #include "apps/desktop/file_desk.h"
 #include "apps/desktop/menus.h"
+#include "apps/desktop/panels/caption_bar.h"
 #include "apps/desktop/panels/field_bar.h"
 #include "apps/desktop/panels/status_line.h"
 #include "apps/desktop/services/pool_runner.h"
@@ -45,6 +46,7 @@ class MainWindow final : public QMainWindow {
   ModelView& modelView() { return *modelView_; }
   SheetView& sheetView() { return *sheetView_; }
   FieldBar& fieldBar() { return *fieldBar_; }
+  CaptionBar& caption() { return *caption_; }
   StatusLine& statusLine() { return *status_; }
   Docks& docks() { return docks_; }
 
@@ -57,6 +59,7 @@ class MainWindow final : public QMainWindow {
   void makeCentre(ModelView::Drawing drawing);
   void connectFiles();
   void connectParts();
+  void connectCaption();
   void refreshTitle();
   void fillRecent();
   void restoreLayout();
@@ -71,6 +74,7 @@ class MainWindow final : public QMainWindow {
   ModelView* modelView_ = nullptr;
   SheetView* sheetView_ = nullptr;
   FieldBar* fieldBar_ = nullptr;
+  CaptionBar* caption_ = nullptr;
   StatusLine* status_ = nullptr;
   Docks docks_;
   FileDesk* files_ = nullptr;

@@ -63,11 +63,11 @@ QStringList toolPalette() {
 
 QMenu* viewMenu(QMainWindow& window, const Actions& actions) {
   return menu(window, tr("&View"), actions,
-              {"fit",          "view-front", "view-back", "view-angled", "perspective",
-               "zoom-in",      "zoom-out",   "-",         "show-model",  "show-sheet",
-               "sheet-only",   "sheet-back", "-",         "creases",     "edges",
-               "borders",      "shading",    "-",         "grid",        "grid-finer",
-               "grid-coarser", "-"});
+              {"fit",        "view-front",   "view-back",  "view-angled", "perspective",
+               "zoom-in",    "zoom-out",     "-",          "show-model",  "show-sheet",
+               "sheet-only", "sheet-back",   "step-notes", "-",           "creases",
+               "edges",      "borders",      "shading",    "-",           "grid",
+               "grid-finer", "grid-coarser", "-"});
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Field {
   std::string unit;             ///< number: "mm", "°" or nothing
   std::vector<Phrase> options;  ///< choice
   std::string text;             ///< text
+  bool hasLines = false;        ///< text: of several lines
   bool isEnabled = true;
   Phrase help;  ///< for a tooltip
 };

@@ -34,12 +34,11 @@ Status checkChoice(const Field& field, double number) {
 
 /// Notes may have lines; whatever else is typed is one line of text.
 Status checkText(const Field& field, const std::string& text) {
-  const bool hasLines = field.id == "notes";
-  const bool isPlain = std::all_of(text.begin(), text.end(), [hasLines](char c) {
+  const bool isPlain = std::all_of(text.begin(), text.end(), [hasLines = field.hasLines](char c) {
     const auto code = static_cast<unsigned char>(c);
     return (code >= ' ' && code != 127) || (hasLines && (c == '\n' || c == '\t'));
   });
-  if (!isPlain) return refused(field, hasLines ? "lines of text" : "one line of text");
+  if (!isPlain) return refused(field, field.hasLines ? "lines of text" : "one line of text");
   if (field.id == "line" && text.empty()) return refused(field, "the name of a fold");
   return std::monostate{};
 }

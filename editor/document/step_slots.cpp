@@ -199,6 +199,7 @@ class Collecting {
   void addText(Label label, Reach reach) {
     Field field = fieldOf(std::move(label), Field::Kind::Text);
     field.text = reach(step_);
+    field.hasLines = field.id == "notes";
     add(std::move(field),
         [reach](Step& step, const FieldValue& value) { reach(step) = value.text; });
   }

@@ -75,4 +75,10 @@ FoldedState Player::state() const {
 
 std::size_t Player::step() const { return timeline_ ? timeline_->momentAt(seconds_).step : 0; }
 
+std::size_t Player::stepSeen() const {
+  if (!timeline_) return 0;
+  const Moment now = timeline_->momentAt(seconds_);
+  return now.isResting ? now.step : now.step + 1;
+}
+
 }  // namespace kiri

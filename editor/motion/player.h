@@ -44,6 +44,8 @@ class Player {
   /// What is to be seen now. Requires that something is loaded.
   FoldedState state() const;
   std::size_t step() const;  ///< steps that are done; 0: nothing loaded
+  /// The step that is under way, from 1, or the last one done where the paper rests; 0: none yet.
+  std::size_t stepSeen() const;
 
  private:
   std::shared_ptr<const Timeline> timeline_;

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "apps/desktop/look/convert.h"
+#include "apps/desktop/panels/notes_box.h"
 #include "apps/desktop/panels/unit_box.h"
 
 namespace kiri::desktop {
@@ -28,7 +29,7 @@ constexpr std::size_t kMostSegments = 3;  // more options are a list that drops 
 
 bool isOfTheSameMake(const Field& a, const Field& b) {
   return a.id == b.id && a.kind == b.kind && a.unit == b.unit && a.options == b.options &&
-         a.label == b.label;
+         a.label == b.label && a.hasLines == b.hasLines;
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ void FieldEditor::add(const Field& field) {
       row = makeSwitch(field);
       break;
     case Field::Kind::Text:
-      row = makeText(field);
+      row = field.hasLines ? makeNotes(field) : makeText(field);
       break;
     case Field::Kind::Button:
       row = makeButton(field);
@@ -204,6 +205,13 @@ FieldEditor::Row FieldEditor::makeText(const Field& field) {
               line->setText(text);
             }
           }};
+}
+
+FieldEditor::Row FieldEditor::makeNotes(const Field& field) {
+  auto* box = new NotesBox(inside_);
+  connect(box, &NotesBox::edited, this,
+          [this, id = field.id](const QString& text) { tell(id, 0, text); });
+  return {{}, box, nullptr, [box](const Field& now) { box->show(toQt(now.text)); }};
 }
 
 FieldEditor::Row FieldEditor::makeButton(const Field& field) {

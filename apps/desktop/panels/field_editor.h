@@ -49,6 +49,7 @@ class FieldEditor final : public QWidget {
   Row makeSegments(const Field& field);
   Row makeSwitch(const Field& field);
   Row makeText(const Field& field);
+  Row makeNotes(const Field& field);
   Row makeButton(const Field& field);
   void tell(const std::string& id, double number, const QString& text = {});
 

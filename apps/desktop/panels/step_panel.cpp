@@ -15,6 +15,7 @@ StepPanel::StepPanel(SessionHub& hub, QWidget* parent)
     : QScrollArea(parent),
       hub_(hub),
       title_(new QLabel(this)),
+      summary_(new QLabel(this)),
       problem_(new QLabel(this)),
       empty_(new QLabel(tr("The untouched sheet. Fold, cut or tear it; each step can be changed "
                            "here later."),
@@ -28,14 +29,16 @@ StepPanel::StepPanel(SessionHub& hub, QWidget* parent)
   QFont bold = title_->font();
   bold.setWeight(QFont::DemiBold);
   title_->setFont(bold);
-  for (QLabel* label : {title_, problem_, empty_}) label->setWordWrap(true);
+  for (QLabel* label : {title_, summary_, problem_, empty_}) label->setWordWrap(true);
   problem_->setProperty("fault", true);
   empty_->setProperty("faint", true);
+  summary_->setProperty("faint", true);
   auto* inside = new QWidget(this);
   auto* column = new QVBoxLayout(inside);
   column->setContentsMargins(12, 10, 12, 12);
   column->setSpacing(10);
   column->addWidget(title_);
+  column->addWidget(summary_);
   column->addWidget(problem_);
   column->addWidget(empty_);
   column->addWidget(editor_);
@@ -73,12 +76,16 @@ void StepPanel::refresh() {
   const std::optional<std::size_t> index = chosen();
   empty_->setVisible(!index);
   title_->setVisible(index.has_value());
+  summary_->setVisible(false);
   editor_->setVisible(index.has_value());
   remove_->setVisible(index.has_value());
   problem_->setVisible(false);
   if (!index) return;
   const Step& step = document.model().steps[*index];
-  title_->setText(said(summaryOf(step, *index + 1)));
+  const QString summary = said(summaryOf(step, *index + 1));
+  title_->setText(step.title.empty() ? summary : toQt(step.title));
+  summary_->setText(summary);
+  summary_->setVisible(!step.title.empty());
   if (const std::optional<Error> problem = document.problemOf(*index)) {
     problem_->setText(tr("This step does not apply: %1").arg(toQt(problem->message)));
     problem_->setVisible(true);

@@ -35,6 +35,7 @@ class StepPanel final : public QScrollArea {
   std::optional<std::size_t> wanted_;
   std::size_t cursor_ = 0;
   QLabel* title_;
+  QLabel* summary_;
   QLabel* problem_;
   QLabel* empty_;
   FieldEditor* editor_;

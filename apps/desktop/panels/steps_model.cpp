@@ -21,6 +21,23 @@ QByteArray coloursOf(const Model& model) {
   return side(model.front) + "/" + side(model.back);
 }
 
+/// The title that somebody gave the step, else what it is.
+QString wordsOf(const Step& step, std::size_t number) {
+  return step.title.empty() ? said(summaryOf(step, number)) : toQt(step.title);
+}
+
+/// All that is known of the step, a paragraph each.
+QString tipOf(const Step& step, std::size_t number, const QString& problem) {
+  QStringList parts{QString::number(number) + ". " + wordsOf(step, number)};
+  if (!step.notes.empty()) parts << toQt(step.notes);
+  if (!step.title.empty()) parts << said(summaryOf(step, number));
+  if (!problem.isEmpty()) parts << problem;
+  QString tip;
+  for (const QString& part : parts)
+    tip += "<p style=\"margin: 2px 0\">" + part.toHtmlEscaped() + "</p>";
+  return tip;
+}
+
 }  // namespace
 
 StepsModel::StepsModel(SessionHub& hub, QObject* parent)
@@ -47,11 +64,12 @@ void StepsModel::refresh() {
   const std::vector<Step>& steps = document.model().steps;
   std::vector<Row> rows;
   rows.reserve(steps.size() + 1);
-  rows.push_back({tr("Sheet"), {}, document.stateAfter(0)});
+  rows.push_back({tr("Sheet"), tr("Sheet"), {}, document.stateAfter(0)});
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::optional<Error> problem = document.problemOf(i);
-    rows.push_back({QString::number(i + 1) + ". " + said(summaryOf(steps[i], i + 1)),
-                    problem ? toQt(problem->message) : QString(), document.stateAfter(i + 1)});
+    const QString why = problem ? toQt(problem->message) : QString();
+    rows.push_back({QString::number(i + 1) + ". " + wordsOf(steps[i], i + 1),
+                    tipOf(steps[i], i + 1, why), why, document.stateAfter(i + 1)});
   }
   if (const QByteArray colours = coloursOf(document.model()); colours != colours_) {
     colours_ = colours;
@@ -114,7 +132,7 @@ QVariant StepsModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return row.text;
     case Qt::ToolTipRole:
-      return row.problem.isEmpty() ? row.text : row.text + "\n" + row.problem;
+      return row.tip;
     case PictureRole:
       return pictures_.value(row.state.get()).pixmap;
     case IsCurrentRole:

@@ -42,6 +42,7 @@ class StepsModel final : public QAbstractListModel {
   };
   struct Row {
     QString text;
+    QString tip;
     QString problem;
     std::shared_ptr<const FoldedState> state;
   };

@@ -1683,6 +1683,14 @@
         <source>Pattern</source>
         <translation>Faltmuster</translation>
     </message>
+    <message>
+        <source>Step n&amp;otes</source>
+        <translation>Schrittn&amp;otizen</translation>
+    </message>
+    <message>
+        <source>What is done in the step that is shown, below the panes</source>
+        <translation>Was im gezeigten Schritt getan wird, unter den Ansichten</translation>
+    </message>
 </context>
 <context>
     <name>kiri::desktop::AboutDialog</name>
@@ -1776,6 +1784,41 @@
     <message>
         <source>PNG images (*.png)</source>
         <translation>PNG-Bilder (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>kiri::desktop::CaptionBar</name>
+    <message>
+        <source>Previous step</source>
+        <translation>Vorheriger Schritt</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>About this step</source>
+        <translation>Zu diesem Schritt</translation>
+    </message>
+    <message>
+        <source>Begin with the sheet and go through the steps one by one</source>
+        <translation>Mit dem Blatt beginnen und einen Schritt nach dem anderen ansehen</translation>
+    </message>
+    <message>
+        <source>1 step</source>
+        <translation>1 Schritt</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
     </message>
 </context>
 <context>
