@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/hull.h"
+
 namespace kiri {
 namespace {
 
@@ -46,13 +48,21 @@ void cutCorner(std::vector<Vec2>& polygon, Vec2 p, double length, double near) {
                  p + normalized(after - p) * length);
 }
 
+std::vector<Vec2> hullOf(const Pieces& pieces) {
+  std::vector<Vec2> points;
+  for (const std::vector<Vec2>& piece : pieces)
+    points.insert(points.end(), piece.begin(), piece.end());
+  return convexHull(std::move(points));
+}
+
 }  // namespace
 
-FacetShapes::FacetShapes(const CreasePattern& pattern)
+FacetShapes::FacetShapes(const CreasePattern& pattern, FacetDetail detail)
     : pattern_(pattern), pieces_(pattern.facets.size()), fans_(pattern.facets.size()) {
   for (std::size_t f = 0; f < pieces_.size(); ++f) {
     for (ConvexPart& part : convexParts(regionOf(pattern, FacetId(f)), pattern.tolerance))
       pieces_[f].push_back(std::move(part.points));
+    if (detail == FacetDetail::Hull && pieces_[f].size() > 1) pieces_[f] = {hullOf(pieces_[f])};
   }
   std::vector<std::vector<EdgeId>> hinges(pattern.vertices.size());
   for (std::size_t e = 0; e < pattern.edges.size(); ++e) {

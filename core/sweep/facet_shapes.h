@@ -13,10 +13,13 @@ namespace kiri {
 /// Convex polygons of the paper frame.
 using Pieces = std::vector<std::vector<Vec2>>;
 
+/// What stands for a facet: its convex pieces, or one convex hull that holds them all.
+enum class FacetDetail { Exact, Hull };
+
 /// The facets of a pattern, for comparing them in pairs.
 class FacetShapes {
  public:
-  explicit FacetShapes(const CreasePattern& pattern);
+  explicit FacetShapes(const CreasePattern& pattern, FacetDetail detail = FacetDetail::Exact);
 
   std::size_t size() const { return pieces_.size(); }
   const Pieces& piecesOf(FacetId facet) const { return pieces_[facet.index]; }

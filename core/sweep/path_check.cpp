@@ -60,7 +60,8 @@ class PathChecker {
   PathChecker(const FoldedState& start, const PosesAt& posesAt)
       : start_(start),
         posesAt_(posesAt),
-        shapes_(start.pattern),
+        pieces_(start.pattern),
+        hulls_(start.pattern, FacetDetail::Hull),
         deep_(kDoubtful * start.tolerance().match()) {}
 
   PathReport run(const std::vector<double>& moments, const Progress& progress) {
@@ -73,8 +74,10 @@ class PathChecker {
       }
       known_.erase(known_.begin(), known_.lower_bound(moments[i]));
       for (const Pair& pair : nearPairs(moments[i], moments[i + 1])) {
-        looks_ = 0;
-        look(pair, moments[i], moments[i + 1], 0);
+        if (!areHullsApart(pair, moments[i], moments[i + 1])) {
+          looks_ = 0;
+          look(pair, moments[i], moments[i + 1], 0);
+        }
       }
     }
     const std::optional<Meeting>& met = certain_ ? certain_ : doubtful_;
@@ -130,6 +133,7 @@ class PathChecker {
   }
 
   std::vector<Pair> nearPairs(double from, double to);
+  bool areHullsApart(const Pair& pair, double from, double to);
   double depthAt(const Pair& pair, double part, Vec3& place);
   Relative relative(const Pair& pair, double from, double to);
   Nearness nearness(const Pair& pair, double from, double to);
@@ -140,12 +144,14 @@ class PathChecker {
   void lookAtStart(const Pair& pair, double after);
   bool lieOnEachOther(const Pair& pair, double part);
   void doubtAt(const Pair& pair, double part) {
-    doubt({part, pair, at(part)[pair.first.index].apply(shapes_.piecesOf(pair.first)[0][0])});
+    doubt({part, pair, at(part)[pair.first.index].apply(shapes_->piecesOf(pair.first)[0][0])});
   }
 
   const FoldedState& start_;
   const PosesAt& posesAt_;
-  FacetShapes shapes_;
+  FacetShapes pieces_;
+  FacetShapes hulls_;
+  const FacetShapes* shapes_ = &pieces_;  ///< which of them are looked at
   double deep_;  ///< what passes deeper is a certain crossing, mm
   std::map<double, std::vector<Rigid>> known_;
   double end_ = 1;
@@ -158,11 +164,11 @@ class PathChecker {
 
 /// Pairs that have no common hinge and may come near each other between two moments.
 std::vector<Pair> PathChecker::nearPairs(double from, double to) {
-  std::vector<Box3> boxes(shapes_.size());
+  std::vector<Box3> boxes(shapes_->size());
   std::vector<std::size_t> order;
   for (std::size_t f = 0; f < boxes.size(); ++f) {
     double way = 0;
-    for (const std::vector<Vec2>& piece : shapes_.piecesOf(FacetId(f))) {
+    for (const std::vector<Vec2>& piece : shapes_->piecesOf(FacetId(f))) {
       for (const Vec2 p : piece) {
         const Vec3 a = at(from)[f].apply(p);
         const Vec3 b = at(to)[f].apply(p);
@@ -185,7 +191,7 @@ std::vector<Pair> PathChecker::nearPairs(double from, double to) {
       if (boxes[order[j]].low.x > boxes[order[i]].high.x) break;
       const FacetId a(std::min(order[i], order[j]));
       const FacetId b(std::max(order[i], order[j]));
-      if (boxes[a.index].meets(boxes[b.index]) && !shapes_.shareHinge(a, b))
+      if (boxes[a.index].meets(boxes[b.index]) && !shapes_->shareHinge(a, b))
         pairs.push_back({a, b});
     }
   }
@@ -193,8 +199,29 @@ std::vector<Pair> PathChecker::nearPairs(double from, double to) {
   return pairs;
 }
 
+/// Facets of many pieces, as curved cuts leave them, are first looked at as a whole: where their
+/// hulls pass each other, so do they.
+bool PathChecker::areHullsApart(const Pair& pair, double from, double to) {
+  const auto isWhole = [&](FacetId f) { return pieces_.piecesOf(f).size() == 1; };
+  if (isWhole(pair.first) && isWhole(pair.second)) return false;
+  const std::optional<Meeting> certain = certain_;
+  const std::optional<Meeting> doubtful = std::exchange(doubtful_, std::nullopt);
+  const std::size_t posed = posed_;
+  looks_ = 0;
+  shapes_ = &hulls_;
+  look(pair, from, to, 0);
+  shapes_ = &pieces_;
+  const auto partOf = [](const std::optional<Meeting>& m) { return m ? m->part : HUGE_VAL; };
+  const bool isApart = !doubtful_ && partOf(certain_) == partOf(certain);
+  doubtful_ = doubtful;
+  if (isApart) return true;
+  certain_ = certain;
+  posed_ = posed;
+  return false;
+}
+
 double PathChecker::depthAt(const Pair& pair, double part, Vec3& place) {
-  const auto& [first, second] = shapes_.pairOf(pair.first, pair.second);
+  const auto& [first, second] = shapes_->pairOf(pair.first, pair.second);
   const std::vector<Plate> others = platesOf(second, pair.second, part);
   double deepest = 0;
   for (const Plate& plate : platesOf(first, pair.first, part)) {
@@ -240,7 +267,8 @@ double PathChecker::distanceTo(const std::vector<Plate>& others, const std::vect
                                const Rigid& pose, double enough) {
   const Plate plate = plateOf(piece, pose);
   double least = HUGE_VAL;
-  for (const Plate& other : others) least = std::min(least, distanceBetween(plate, other, enough));
+  for (const Plate& other : others)
+    least = std::min(least, distanceBetween(plate, other, std::min(enough, least)));
   return least;
 }
 
@@ -248,7 +276,7 @@ double PathChecker::distanceTo(const std::vector<Plate>& others, const std::vect
 /// may be near, what moves far is perhaps far away: a facet that touches another in an axis is cut
 /// into strips along it, each looked at alone.
 PathChecker::Nearness PathChecker::nearness(const Pair& pair, double from, double to) {
-  const auto& [first, second] = shapes_.pairOf(pair.first, pair.second);
+  const auto& [first, second] = shapes_->pairOf(pair.first, pair.second);
   const Relative motion = relative(pair, from, to);
   const std::vector<Plate> otherBefore = platesOf(second, pair.second, from);
   const std::vector<Plate> otherAfter = platesOf(second, pair.second, to);
@@ -316,7 +344,7 @@ void PathChecker::look(const Pair& pair, double from, double to, int level) {
 
 bool PathChecker::lieOnEachOther(const Pair& pair, double part) {
   const Rigid& ground = at(part)[pair.second.index];
-  for (const std::vector<Vec2>& piece : shapes_.piecesOf(pair.first)) {
+  for (const std::vector<Vec2>& piece : shapes_->piecesOf(pair.first)) {
     for (const Vec2 p : piece) {
       const Vec3 there = at(part)[pair.first.index].apply(p);
       if (std::abs(dot(ground.normal(), there - ground.origin)) > deep_) return false;

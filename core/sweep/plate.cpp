@@ -72,6 +72,21 @@ double distanceOfSegments(Vec3 p, Vec3 p2, Vec3 q, Vec3 q2) {
   return length(w + u * s - v * t);
 }
 
+/// How far two plates are apart along a unit direction; below 0 where they are not.
+double gapAlong(const Plate& a, const Plate& b, Vec3 direction) {
+  Reach ofA;
+  Reach ofB;
+  for (const Vec3 p : a.points) {
+    const double at = dot(direction, p);
+    ofA = {std::min(ofA.low, at), std::max(ofA.high, at)};
+  }
+  for (const Vec3 p : b.points) {
+    const double at = dot(direction, p);
+    ofB = {std::min(ofB.low, at), std::max(ofB.high, at)};
+  }
+  return std::max(ofA.low - ofB.high, ofB.low - ofA.high);
+}
+
 bool coversFoot(const Plate& plate, Vec3 p) {
   for (std::size_t i = 0; i < plate.points.size(); ++i) {
     const Vec3 a = plate.points[i];
@@ -79,6 +94,37 @@ bool coversFoot(const Plate& plate, Vec3 p) {
     if (dot(cross(plate.normal, side), p - a) < 0) return false;
   }
   return true;
+}
+
+/// The least distance of the corners of one plate from the inside of another.
+double distanceOfCorners(const Plate& a, const Plate& b) {
+  double least = HUGE_VAL;
+  for (const Vec3 p : a.points) {
+    const double height = std::abs(b.heightOf(p));
+    if (height < least && coversFoot(b, p)) least = height;
+  }
+  return least;
+}
+
+double distanceOfSides(const Plate& a, const Plate& b) {
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const Vec3 p = a.points[i];
+    const Vec3 p2 = a.points[(i + 1) % a.points.size()];
+    const Vec3 middle = (p + p2) / 2;
+    const double half = distance(p, p2) / 2;
+    if (distance(middle, b.middle) - half - b.radius >= least) continue;
+    for (std::size_t j = 0; j < b.points.size(); ++j) {
+      const Vec3 q = b.points[j];
+      const Vec3 q2 = b.points[(j + 1) % b.points.size()];
+      // No nearer than their balls: most sides are told apart without more.
+      const double reach = least + half + distance(q, q2) / 2;
+      const Vec3 between = (q + q2) / 2 - middle;
+      if (dot(between, between) >= reach * reach) continue;
+      least = std::min(least, distanceOfSegments(p, p2, q, q2));
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -118,20 +164,14 @@ double crossingDepth(const Plate& a, const Plate& b, Vec3& place) {
 double distanceBetween(const Plate& a, const Plate& b, double enough) {
   const double apart = distance(a.middle, b.middle) - a.radius - b.radius;
   if (apart >= enough) return apart;
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    const Vec3 p = a.points[i];
-    const Vec3 p2 = a.points[(i + 1) % a.points.size()];
-    for (std::size_t j = 0; j < b.points.size(); ++j) {
-      least = std::min(least,
-                       distanceOfSegments(p, p2, b.points[j], b.points[(j + 1) % b.points.size()]));
-    }
-    if (coversFoot(b, p)) least = std::min(least, std::abs(b.heightOf(p)));
+  // Most pairs are told apart by a plane between them, long before all sides are compared.
+  for (const Vec3 direction : {a.normal, b.normal, b.middle - a.middle}) {
+    const double span = length(direction);
+    if (span == 0) continue;
+    const double gap = gapAlong(a, b, direction / span);
+    if (gap >= enough) return gap;
   }
-  for (const Vec3 p : b.points) {
-    if (coversFoot(a, p)) least = std::min(least, std::abs(a.heightOf(p)));
-  }
-  return least;
+  return std::min(distanceOfSides(a, b), std::min(distanceOfCorners(a, b), distanceOfCorners(b, a)));
 }
 
 }  // namespace kiri
