@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/leaf_recipe_reader.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double kHalfTurn = 180;
 /// Lengths are parts of the mid-vein's; a ray may be longer, within reason.
 constexpr double kLongestRay = 10;
+constexpr double kMostLobes = 1000;
 
 LeafRay readRay(const Field& field) {
   Fields fields(field);
@@ -39,10 +41,22 @@ std::vector<LeafRay> readRays(const std::optional<Field>& field) {
   return rays;
 }
 
-SecondaryLobes readSecondary(const Field& field) {
+SecondaryLobes readPair(const Field& field) {
   Fields fields(field);
   SecondaryLobes lobes;
-  if (const auto at = fields.require("at", "where they leave the mid-vein, 0 to 1")) {
+  for (const char* name : {"side", "sides"}) {
+    if (const auto side = fields.find(name)) {
+      side->mistake(
+          "cannot be chosen: secondary lobes come in pairs, one on either side of a vein, for "
+          "only mirror images fold flat while the vein is straight; leave it out");
+    }
+  }
+  if (const auto lobe = fields.find("lobe")) {
+    const double number = lobe->number({0, kMostLobes, false});
+    if (std::floor(number) != number) lobe->isNot("a whole number");
+    lobes.lobe = static_cast<std::size_t>(number);
+  }
+  if (const auto at = fields.require("at", "where they leave the vein of their lobe, 0 to 1")) {
     lobes.at = at->number({0, 1, true});
   }
   if (const auto antiVein = fields.require("antiVein", "from the junction to the sinus")) {
@@ -54,6 +68,14 @@ SecondaryLobes readSecondary(const Field& field) {
   lobes.isTorn = fields.flag("torn", false);
   fields.finish();
   return lobes;
+}
+
+/// One pair, or a list of them.
+std::vector<SecondaryLobes> readSecondary(const Field& field) {
+  if (!field.isArray()) return {readPair(field)};
+  std::vector<SecondaryLobes> pairs;
+  for (std::size_t i = 0; i < field.size(); ++i) pairs.push_back(readPair(field.item(i)));
+  return pairs;
 }
 
 void readBody(Fields& fields, LeafRecipe& recipe) {

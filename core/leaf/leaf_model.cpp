@@ -14,26 +14,30 @@ Result<LeafModel> leafModelOf(const LeafRecipe& recipe) {
   }
   Result<std::vector<FanRay>> fan = fanOf(recipe);
   if (!fan) return fan.error();
-  const Result<std::vector<MarginKnot>> knots = marginKnots(recipe, *fan);
+  if (Status status = checkSecondaryLobes(recipe, *fan); !status) return status.error();
+  const FoldedHalf half(recipe, *fan);
+  const Result<std::vector<MarginKnot>> knots = marginKnots(recipe, half);
   if (!knots) return knots.error();
+  const Result<MarginCurve> curve = marginCurve(half, *knots);
+  if (!curve) return curve.error();
   LeafModel leaf;
   leaf.fan = std::move(*fan);
-  const LeafPlan plan{recipe, leaf.fan, *knots, LeafSheet(recipe, leaf.fan)};
+  leaf.creases = half.creases();
+  const LeafPlan plan{recipe, leaf.fan, half, *curve, LeafSheet(recipe, half)};
   Model& model = leaf.model;
   model.title = recipe.title;
   model.notes = recipe.notes;
   model.sheet.width = plan.sheet.side();
   model.front = recipe.front;
   model.back = recipe.back;
-  if (!recipe.secondary) {
+  if (recipe.secondary.empty()) {
     addSimpleFolds(plan, model);
-  } else if (recipe.secondary->isTorn) {
+  } else if (isTorn(recipe)) {
     addTornFolds(plan, model);
   } else if (Status status = addPattern(plan, model); !status) {
     return status.error();
   }
-  const bool isTorn = recipe.secondary && recipe.secondary->isTorn;
-  if (!isTorn) model.opening = Sequence::Together;
+  if (!isTorn(recipe)) model.opening = Sequence::Together;
   return leaf;
 }
 

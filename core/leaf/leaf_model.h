@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/leaf/fan.h"
+#include "core/leaf/folded_half.h"
 #include "core/model/model.h"
 
 namespace kiri {
@@ -12,14 +12,15 @@ namespace kiri {
 struct LeafModel {
   Model model;
   std::vector<FanRay> fan;
+  std::vector<LeafCrease> creases;  ///< of the right half: where its tips and sinuses are to be
 };
 
-/// A square sheet in whole centimetres. Without secondary lobes: a fold along the mid-vein, for a
+/// Without secondary lobes: a square sheet in whole centimetres, a fold along the mid-vein, for a
 /// petiole inside a cut along the basal edges, folds along anti-veins and veins in one half and
 /// then in the other, one margin through all layers, and unfolding (thesis Figures 7.2 and 7.3).
-/// With them: all creases at once, on a sheet without the wedge below the petiole, or with a tear
-/// (Fig 7.4). Errors: those of fanOf and marginKnots; BadValue - a length of the mid-vein that is
-/// none, creases that meet inside the sheet.
+/// With them: the same sheet and a tear along the mid-vein (Fig 7.4), or all creases at once on a
+/// sheet cut roughly around the blade. Errors: those of fanOf, checkSecondaryLobes, marginKnots,
+/// marginCurve and bladeOutline; BadValue - a length of the mid-vein that is none.
 Result<LeafModel> leafModelOf(const LeafRecipe& recipe);
 
 }  // namespace kiri

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,13 +24,14 @@ enum class Petiole {
   Inside,  ///< inside the sheet, opened by a straight cut along the basal edge
 };
 
-/// A pair of lobes on the mid-lobe, alike on both sides: only what has its mirror image can be
-/// folded (thesis 7.1, case c). Angles are from the outer mid-vein at the junction, lengths from
-/// the junction.
+/// A pair of lobes on a lobe, alike on both sides of its vein: only what has its mirror image can
+/// be folded (thesis 7.1, case c). Angles are from the outer part of that vein at the junction,
+/// lengths from the junction, as part of the mid-vein's.
 struct SecondaryLobes {
-  double at = 0.5;      ///< where they leave the mid-vein, as part of its length from the petiole
-  LeafRay antiVein;     ///< to the sinus between mid-lobe and secondary lobe
-  LeafRay vein;         ///< to the tip of the secondary lobe
+  std::size_t lobe = 0;  ///< 0: the mid-lobe, 1: that of veins[0], ... in both halves
+  double at = 0.5;       ///< where they leave the vein, as part of its length from the petiole
+  LeafRay antiVein;      ///< to the sinus between the lobe's tip and the secondary lobe
+  LeafRay vein;          ///< to the tip of the secondary lobe
   bool isTorn = false;  ///< folded one by one with a tear along the mid-vein (thesis Fig 7.4), else
                         ///< all creases at once, without a tear
   bool operator==(const SecondaryLobes&) const = default;
@@ -48,7 +49,7 @@ struct LeafRecipe {
   LeafRay base{120, 0.3};          ///< the basal edge, and where the margin meets it
   /// Further places of the right half that the margin passes, wherever it would not go by itself.
   std::vector<LeafRay> margin;
-  std::optional<SecondaryLobes> secondary;
+  std::vector<SecondaryLobes> secondary;
   PaperSide front{{79, 138, 58}, ""};
   PaperSide back{{169, 201, 139}, ""};
   bool operator==(const LeafRecipe&) const = default;

@@ -18,16 +18,15 @@ constexpr double kNear = 0.3;
 
 }  // namespace
 
-LeafSheet::LeafSheet(const LeafRecipe& recipe, const std::vector<FanRay>& fan)
-    : midVein_(recipe.midVein) {
+LeafSheet::LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half) : midVein_(recipe.midVein) {
   double wide = 0;
   double low = 0;
-  double shortest = recipe.secondary ? recipe.secondary->at : 1;
-  for (const FanRay& ray : fan) {
-    const CosSin w = cosSinDegrees(ray.angle);
-    wide = std::max(wide, ray.length * w.sin);
-    low = std::max(low, -ray.length * w.cos);
-    shortest = std::min(shortest, ray.length);
+  double shortest = 1;
+  for (const LeafCrease& crease : half.creases()) {
+    wide = std::max(wide, crease.end.x);
+    low = std::max(low, -crease.end.y);
+    shortest = std::min(shortest, length(crease.end));
+    if (!crease.junctions.empty()) shortest = std::min(shortest, length(crease.junctions.front()));
   }
   const bool isInside = recipe.petiole == Petiole::Inside;
   const double high = 1 + kRoom + (isInside ? low + kRoom : 0);
@@ -36,6 +35,10 @@ LeafSheet::LeafSheet(const LeafRecipe& recipe, const std::vector<FanRay>& fan)
   const double spare = side_ - high * midVein_;
   petiole_ = {side_ / 2, isInside ? (low + kRoom) * midVein_ + spare / 2 : 0};
   near_ = kNear * shortest * midVein_;
+}
+
+Vec2 LeafSheet::place(Vec2 flat, int side) const {
+  return petiole_ + Vec2{side * flat.x, flat.y} * midVein_;
 }
 
 Vec2 LeafSheet::at(double angle, double length, int side) const {
@@ -60,18 +63,6 @@ Vec2 LeafSheet::rimFrom(Vec2 from, double angle, int side) const {
 
 Vec2 LeafSheet::inSector(double fromAngle, double toAngle, int side) const {
   return at((fromAngle + toAngle) / 2, near_, side);
-}
-
-std::vector<Vec2> LeafSheet::outlineWithoutWedge(double basalAngle) const {
-  const Vec2 right = rimFrom(petiole_, basalAngle, 1);
-  const Vec2 left = rimFrom(petiole_, basalAngle, -1);
-  std::vector<Vec2> outline = {petiole_, right};
-  if (right.y == 0 && right.x < side_) outline.push_back({side_, 0});
-  outline.push_back({side_, side_});
-  outline.push_back({0, side_});
-  if (left.y == 0 && left.x > 0) outline.push_back({0, 0});
-  outline.push_back(left);
-  return outline;
 }
 
 }  // namespace kiri

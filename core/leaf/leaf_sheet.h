@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/leaf/fan.h"
+#include "core/leaf/folded_half.h"
 
 namespace kiri {
 
@@ -12,19 +12,19 @@ namespace kiri {
 /// right half of the leaf, -1 the left. Lengths in mm.
 class LeafSheet {
  public:
-  LeafSheet(const LeafRecipe& recipe, const std::vector<FanRay>& fan);
+  LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half);
 
   double side() const { return side_; }
   double midVein() const { return midVein_; }
   Vec2 petiole() const { return petiole_; }
+  /// A place of the flat right half (see FoldedHalf), or its mirror image in the left.
+  Vec2 place(Vec2 flat, int side) const;
   /// A point at an angle from the mid-vein.
   Vec2 at(double angle, double length, int side) const;
   /// Where the ray from a point of the sheet leaves it.
   Vec2 rimFrom(Vec2 from, double angle, int side) const;
   /// A point of a sector near the petiole, where all sectors are: names its facet.
   Vec2 inSector(double fromAngle, double toAngle, int side) const;
-  /// The corners of the sheet without the wedge below the petiole, counter-clockwise from it.
-  std::vector<Vec2> outlineWithoutWedge(double basalAngle) const;
 
  private:
   double midVein_ = 0;

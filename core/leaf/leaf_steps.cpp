@@ -44,7 +44,7 @@ Vec2 keptPlace(const LeafPlan& plan) { return plan.sheet.inSector(0, plan.fan[1]
 std::string figure(const LeafPlan& plan, const std::string& onEdge, const std::string& inside,
                    const std::string& torn) {
   const bool isOnEdge = plan.recipe.petiole == Petiole::OnEdge;
-  const std::string& letter = plan.recipe.secondary ? torn : isOnEdge ? onEdge : inside;
+  const std::string& letter = !plan.recipe.secondary.empty() ? torn : isOnEdge ? onEdge : inside;
   return letter.empty() ? "" : letter + ". ";
 }
 
@@ -85,16 +85,16 @@ std::vector<Step> rayFolds(const LeafPlan& plan, int side, FoldType type) {
 Step marginCut(const LeafPlan& plan, double turn) {
   const CosSin w = cosSinDegrees(turn);
   const Vec2 petiole = plan.sheet.petiole();
-  const Vec2 centre = plan.recipe.secondary ? plan.junction() : petiole;
+  const Vec2 centre = plan.junction();
   const auto turned = [&](Vec2 p) {
     const Vec2 d = p - centre;
     return centre + Vec2{d.x * w.cos + d.y * w.sin, d.y * w.cos - d.x * w.sin};
   };
   CurveCutStep cut;
-  for (const Vec2 p : marginControls(plan.knots)) {
+  for (const Vec2 p : plan.curve.controls) {
     cut.controls.push_back(turned(petiole + p * plan.sheet.midVein()));
   }
-  cut.keep.places = {{Frame::Model, turned(keptPlace(plan))}};
+  cut.keep.places = {{Frame::Paper, keptPlace(plan)}};
   return {cut, "Cut the margin",
           figure(plan, "Figures 7.2h and 7.2i", "Figures 7.3c and 7.3d", "Figures 7.4h and 7.4i") +
               "One B-spline through all layers. Where it crosses a vein there will be the tip of a "

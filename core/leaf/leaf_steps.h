@@ -7,6 +7,7 @@
 
 #include "core/leaf/leaf_sheet.h"
 #include "core/leaf/margin.h"
+#include "core/leaf/secondary_lobes.h"
 #include "core/model/model.h"
 
 namespace kiri {
@@ -15,13 +16,12 @@ namespace kiri {
 struct LeafPlan {
   const LeafRecipe& recipe;
   const std::vector<FanRay>& fan;
-  const std::vector<MarginKnot>& knots;
+  const FoldedHalf& half;
+  const MarginCurve& curve;
   LeafSheet sheet;
 
-  /// Where the secondary lobes leave the mid-vein, mm.
-  Vec2 junction() const {
-    return sheet.petiole() + Vec2{0, recipe.secondary->at * sheet.midVein()};
-  }
+  /// Where the secondary lobes that are torn leave the mid-vein, mm.
+  Vec2 junction() const { return sheet.place(half.creases().front().from, 1); }
   /// The outermost sector of a half: what a fold nearer to the mid-vein takes along.
   Vec2 outermost(int side) const {
     return sheet.inSector(fan[fan.size() - 2].angle, fan.back().angle, side);
@@ -46,8 +46,8 @@ Step marginCut(const LeafPlan& plan, double turn);
 void addSimpleFolds(const LeafPlan& plan, Model& model);
 /// With a tear along the mid-vein (thesis Fig 7.4).
 void addTornFolds(const LeafPlan& plan, Model& model);
-/// All creases at once, as in the bud; no tear. Errors: BadValue - creases of the secondary lobes
-/// that meet others inside the sheet.
+/// All creases at once, as in the bud; no tear; on a sheet cut roughly around the blade. Errors:
+/// those of bladeOutline.
 Status addPattern(const LeafPlan& plan, Model& model);
 
 }  // namespace kiri

@@ -21,6 +21,7 @@ constexpr double kWidest = 0.04;
 constexpr double kGrowth = 0.4;
 /// Samples of a gap between knots by which data points are spread over it.
 constexpr int kSamples = 32;
+constexpr int kDensest = 4;
 
 /// By distance from the petiole, which falls all along the margin; of two rays that end in one
 /// place one.
@@ -93,8 +94,8 @@ class MarginThread {
   std::vector<Vec2> slopes_;
 };
 
-/// The data points, the knots among them.
-std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots) {
+/// The data points, the knots among them. `density` 2: twice as many.
+std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots, int density) {
   const MarginThread thread(knots);
   std::vector<Vec2> points = {thread.knot(0)};
   for (std::size_t i = 0; i < thread.gaps(); ++i) {
@@ -103,7 +104,7 @@ std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots) {
       const double t = (k + 0.5) / kSamples;
       counts.push_back(counts.back() + thread.gap(i) / kSamples / thread.spacing(i, t));
     }
-    const int parts = std::max(1, static_cast<int>(std::lround(counts.back())));
+    const int parts = std::max(1, static_cast<int>(std::lround(density * counts.back())));
     std::size_t k = 0;
     for (int p = 1; p < parts; ++p) {
       const double wanted = counts.back() * p / parts;
@@ -114,6 +115,18 @@ std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots) {
     points.push_back(thread.knot(i + 1));
   }
   return points;
+}
+
+/// Goes straight on beyond the last point, with spacing that grows as elsewhere.
+void goOn(std::vector<Vec2>& points) {
+  const Vec2 end = points.back();
+  const Vec2 step = end - points[points.size() - 2];
+  const Vec2 way = normalized(step);
+  double spacing = length(step);
+  for (double beyond = 0; beyond < kBeyond; spacing *= 1 + kGrowth) {
+    beyond += spacing;
+    points.push_back(end + way * beyond);
+  }
 }
 
 /// The controls of the clamped spline whose pieces meet at the points, straight at its ends.
@@ -144,15 +157,35 @@ std::vector<Vec2> interpolated(const std::vector<Vec2>& points) {
   return controls;
 }
 
+MarginCurve curveThrough(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+                         int density) {
+  std::vector<Vec2> points = pointsAlong(inOrder(knots), density);
+  goOn(points);
+  std::reverse(points.begin(), points.end());
+  goOn(points);
+  std::reverse(points.begin(), points.end());
+  MarginCurve curve;
+  curve.controls = interpolated(points);
+  curve.arcs = openSpline(curve.controls, SplineEnds::Clamped);
+  for (std::size_t i = 0; i < half.creases().size(); ++i) {
+    const Vec2 end = half.foldedEnd(i);
+    const auto nearer = [&](Vec2 a, Vec2 b) { return distance(a, end) < distance(b, end); };
+    const auto nearest = std::min_element(points.begin(), points.end(), nearer);
+    curve.crossings.push_back(static_cast<std::size_t>(nearest - points.begin()));
+  }
+  return curve;
+}
+
 }  // namespace
 
-std::vector<Vec2> marginControls(const std::vector<MarginKnot>& knots) {
-  std::vector<Vec2> points = pointsAlong(inOrder(knots));
-  const Vec2 ahead = normalized(points[0] - points[1]);
-  const Vec2 behind = normalized(points.back() - points[points.size() - 2]);
-  points.insert(points.begin(), points.front() + ahead * kBeyond);
-  points.push_back(points.back() + behind * kBeyond);
-  return interpolated(points);
+Result<MarginCurve> marginCurve(const FoldedHalf& half, const std::vector<MarginKnot>& knots) {
+  // More data points keep the spline nearer to its thread, whose lengths fall.
+  for (int density = 1;; density *= 2) {
+    MarginCurve curve = curveThrough(half, knots, density);
+    const Status status = checkMargin(half, knots, curve);
+    if (status) return curve;
+    if (density >= kDensest) return status.error();
+  }
 }
 
 }  // namespace kiri

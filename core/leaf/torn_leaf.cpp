@@ -28,7 +28,7 @@ Step secondaryFold(const LeafPlan& plan, const char* name, double angle, int sid
 }  // namespace
 
 void addTornFolds(const LeafPlan& plan, Model& model) {
-  const SecondaryLobes& lobes = *plan.recipe.secondary;
+  const SecondaryLobes& lobes = plan.recipe.secondary.front();
   model.steps = openingSteps(plan);
   TearStep tear;
   tear.path.points = {plan.sheet.petiole(), plan.junction()};

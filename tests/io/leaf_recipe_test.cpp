@@ -48,6 +48,40 @@ TEST(LeafRecipeReader, MistakesAreToldWithTheirPlace) {
   EXPECT_FALSE(readLeafRecipe(R"({"format": "kiri"})", "x"));
 }
 
+std::string withSecondary(const std::string& secondary) {
+  std::string text = kRecipe;
+  return text.replace(text.find("\"collector\""), std::string::npos,
+                      "\"secondary\": " + secondary + "}");
+}
+
+TEST(LeafRecipeReader, SecondaryLobesAreOnePairOrAListOfPairs) {
+  const std::string pair =
+      R"("at": 0.5, "antiVein": {"angle": 20, "length": 0.3}, "vein": {"angle": 30, "length": 0.4})";
+  const SecondaryLobes wanted{0, 0.5, {20, 0.3}, {30, 0.4}, false};
+  const Result<LoadedRecipe> one = readLeafRecipe(withSecondary("{" + pair + "}"), "x");
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(one->recipe.secondary, std::vector<SecondaryLobes>{wanted});
+  const Result<LoadedRecipe> two =
+      readLeafRecipe(withSecondary("[{" + pair + "}, {\"lobe\": 1, " + pair + "}]"), "x");
+  ASSERT_TRUE(two) << two.error().message;
+  SecondaryLobes lateral = wanted;
+  lateral.lobe = 1;
+  EXPECT_EQ(two->recipe.secondary, (std::vector<SecondaryLobes>{wanted, lateral}));
+  EXPECT_FALSE(readLeafRecipe(withSecondary("{\"lobe\": 0.5, " + pair + "}"), "x"));
+  EXPECT_FALSE(readLeafRecipe(withSecondary("{\"lobe\": -1, " + pair + "}"), "x"));
+}
+
+TEST(LeafRecipeReader, ASecondaryLobeWithoutItsPairIsRefusedWithTheReason) {
+  const Result<LoadedRecipe> loaded = readLeafRecipe(
+      withSecondary(R"({"side": "left", "at": 0.5, "antiVein": {"angle": 20, "length": 0.3},
+                        "vein": {"angle": 30, "length": 0.4}})"),
+      "maple.json");
+  ASSERT_FALSE(loaded);
+  EXPECT_NE(loaded.error().message.find("only mirror images fold flat while the vein is straight"),
+            std::string::npos)
+      << loaded.error().message;
+}
+
 TEST(LeafRecipes, OfTheRepositoryMakeLeavesWithoutACollision) {
   int count = 0;
   const std::filesystem::path folder = KIRI_SOURCE_DIR "/examples/leaves";

@@ -95,7 +95,7 @@ LeafRecipe mapleWithSecondaryLobes(bool isTorn) {
   recipe.veins = {{46, .85}, {96, .44}};
   recipe.antiVeins = {{30, .55}, {82, .36}};
   recipe.base = {121, .28};
-  recipe.secondary = SecondaryLobes{0.5, {22, .30}, {34, .36}, isTorn};
+  recipe.secondary = {{0, 0.5, {22, .30}, {34, .36}, isTorn}};
   return recipe;
 }
 
@@ -116,7 +116,7 @@ TEST(LeafModel, SecondaryLobesAreWhereTheRecipePutsThemWithATearOrWithout) {
                               : std::get<PatternStep>(leaf->model.steps[0].action).vertices[1];
     const Vec2 petiole = junction - Vec2{0, 0.5 * recipe.midVein};
     const auto found = extremesOf((*last)->pattern, petiole, recipe.midVein);
-    for (const LeafRay& ray : {recipe.secondary->antiVein, recipe.secondary->vein}) {
+    for (const LeafRay& ray : {recipe.secondary[0].antiVein, recipe.secondary[0].vein}) {
       const double radians = ray.angle * std::numbers::pi / 180;
       const double x = ray.length * std::sin(radians);
       const double y = 0.5 + ray.length * std::cos(radians);
@@ -134,11 +134,75 @@ TEST(LeafModel, SecondaryLobesAreWhereTheRecipePutsThemWithATearOrWithout) {
 
 TEST(LeafModel, ASecondaryVeinFoldedPastTheMidVeinIsRefused) {
   LeafRecipe recipe = mapleWithSecondaryLobes(false);
-  recipe.secondary->antiVein.angle = 15;
+  recipe.secondary[0].antiVein.angle = 15;
   const Result<LeafModel> leaf = leafModelOf(recipe);
   ASSERT_FALSE(leaf);
   EXPECT_NE(leaf.error().message.find("to 17 degrees or more"), std::string::npos)
       << leaf.error().message;
+}
+
+/// Near the means of eight sugar maples, with pairs on the mid-lobe and the lobes beside it.
+LeafRecipe sugarMaple() {
+  LeafRecipe recipe;
+  recipe.midVein = 120;
+  recipe.veins = {{41.7, .785}, {96, .477}};
+  recipe.antiVeins = {{26.4, .531}, {84, .362}};
+  recipe.base = {112.8, .274};
+  recipe.secondary = {{0, .4155, {12.4, .408}, {19, .431}}, {1, .637, {21.3, .184}, {32.2, .229}}};
+  return recipe;
+}
+
+void expectRefused(const LeafRecipe& recipe, const std::string& sentence) {
+  const Result<LeafModel> leaf = leafModelOf(recipe);
+  ASSERT_FALSE(leaf) << "not refused: " << sentence;
+  EXPECT_EQ(leaf.error().message, sentence);
+}
+
+TEST(LeafModel, ASecondaryPairThatCannotBeFoldedIsRefusedWithTheRemedy) {
+  LeafRecipe recipe = sugarMaple();
+  recipe.secondary[1].lobe = 3;
+  expectRefused(
+      recipe,
+      "there is no lobe 3 for secondary lobes: 0 is the mid-lobe, and the veins beside it "
+      "give 1 to 2");
+  recipe = sugarMaple();
+  recipe.secondary[1].isTorn = true;
+  expectRefused(
+      recipe,
+      "secondary lobes of lobe 1 cannot be folded with a tear: it runs along the mid-vein "
+      "and frees the mid-lobe only; leave out \"torn\", for all creases can be folded at "
+      "once");
+  recipe = sugarMaple();
+  recipe.secondary[1].lobe = 0;
+  recipe.secondary[1].at = recipe.secondary[0].at;
+  expectRefused(recipe,
+                "two pairs of secondary lobes leave one vein at the same place, 0.4155 of its "
+                "length; move one of them");
+  recipe = sugarMaple();
+  recipe.secondary[1] = {1, .3, {30, .35}, {50, .5}};
+  expectRefused(
+      recipe,
+      "the secondary vein of lobe 1 reaches 34.5195 degrees beside its vein, beyond the "
+      "first anti-vein, which is 15.3 beside it; make it shorter or steeper, or let it leave the "
+      "vein farther out");
+  recipe = sugarMaple();
+  recipe.secondary[0].vein.length = .4;
+  expectRefused(recipe,
+                "from the junction on the mid-lobe, the outer part of its vein (0.5845), the "
+                "secondary vein (0.4) and its anti-vein (0.408) must be shorter from one to the "
+                "next");
+}
+
+TEST(LeafModel, AMarginThatMissesALayerIsRefusedWithTheRays) {
+  LeafRecipe recipe = sugarMaple();
+  recipe.secondary.pop_back();  // the mid-lobe alone is turned onto the lobe beside it
+  recipe.secondary[0] = {0, .5, {22, .3}, {34, .36}};
+  expectRefused(
+      recipe,
+      "no single margin cuts the secondary vein of the mid-lobe and the secondary "
+      "anti-vein of the mid-lobe so that they end in a tip and a sinus: between them it "
+      "would leave the paper between their creases near the second vein; change a length, "
+      "or the angles before them");
 }
 
 TEST(LeafModel, AFlapFoldedPastTheMidVeinIsRefusedWithTheRemedy) {

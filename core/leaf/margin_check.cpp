@@ -1,0 +1,146 @@
+// Whether one curve gives every facet its part of the margin, from a tip down to a sinus.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "core/geometry/tolerance.h"
+#include "core/leaf/margin.h"
+
+namespace kiri {
+namespace {
+
+constexpr int kPerPiece = 8;
+constexpr const char* kRemedy = "; change a length, or the angles before them";
+
+Error badMargin(std::string message) { return {ErrorCode::BadValue, std::move(message)}; }
+
+/// The knot between two pieces of the curve that lies nearest to a place, other than those of a
+/// facet's own creases.
+const MarginKnot* culpritNear(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+                              std::size_t facet, Vec2 place) {
+  const MarginKnot* culprit = nullptr;
+  double best = 0;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (i == facet || i == facet + 1) continue;
+    const Vec2 at = polarPlace(knots[i].folded, knots[i].length);
+    const bool isOwn = distance(at, half.foldedEnd(facet)) <= kParallel ||
+                       distance(at, half.foldedEnd(facet + 1)) <= kParallel;
+    const double away = distance(at, place);
+    if (isOwn || (culprit != nullptr && away >= best)) continue;
+    culprit = &knots[i];
+    best = away;
+  }
+  return culprit;
+}
+
+Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots, std::size_t facet,
+              Vec2 flat, const std::string& what) {
+  const std::string tip = "the " + half.creases()[half.tipOf(facet)].name;
+  const std::string sinus = "the " + half.creases()[half.sinusOf(facet)].name;
+  const Vec2 place = flatten(half.pose(facet).apply(flat));
+  const MarginKnot* culprit = culpritNear(half, knots, facet, place);
+  const std::string near = culprit == nullptr ? "" : " near the " + culprit->name;
+  return badMargin("no single margin cuts " + tip + " and " + sinus +
+                   " so that they end in a tip " + "and a sinus: between them it " + what + near +
+                   kRemedy);
+}
+
+Status checkFacet(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+                  const MarginCurve& curve, std::size_t facet) {
+  const LeafCrease& before = half.creases()[facet];
+  const LeafCrease& behind = half.creases()[facet + 1];
+  if (curve.crossings[half.tipOf(facet)] >= curve.crossings[half.sinusOf(facet)]) {
+    return badMargin("no single margin cuts both " + told(knots[half.tipOf(facet)]) + " and " +
+                     told(knots[half.sinusOf(facet)]) +
+                     ": it must come nearer to the petiole from one to the next" + kRemedy);
+  }
+  const std::vector<Vec2> places = marginOfFacet(half, curve, facet, kPerPiece);
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    if (length(places[k]) >= length(places[k - 1])) {
+      return between(half, knots, facet, places[k], "would go away from the petiole");
+    }
+    const bool isInside = cross(before.end - before.from, places[k] - before.from) < 0 &&
+                          cross(behind.end - behind.from, places[k] - behind.from) > 0;
+    if (k + 1 < places.size() && !isInside) {
+      return between(half, knots, facet, places[k], "would leave the paper between their creases");
+    }
+  }
+  return std::monostate{};
+}
+
+struct Stretch {
+  Vec2 from;
+  Vec2 to;
+  std::size_t crease = 0;
+};
+
+/// The creases of the kept paper in the folded leaf.
+std::vector<Stretch> keptCreases(const FoldedHalf& half) {
+  std::vector<Stretch> out;
+  const std::vector<LeafCrease>& creases = half.creases();
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    const auto folded = [&](std::size_t facet, Vec2 p) {
+      return flatten(half.pose(std::min(facet, creases.size() - 2)).apply(p));
+    };
+    out.push_back({folded(i, creases[i].from), folded(i, creases[i].end), i});
+    const std::vector<Vec2>& junctions = creases[i].junctions;
+    for (std::size_t j = 0; j < junctions.size(); ++j) {
+      // Behind a vein every pair has two creases: this stretch bounds the facet inside those.
+      const std::size_t facet = i + 2 * (junctions.size() - j);
+      const Vec2 from = j == 0 ? Vec2{0, 0} : junctions[j - 1];
+      out.push_back({folded(facet, from), folded(facet, junctions[j]), i});
+    }
+  }
+  return out;
+}
+
+bool doCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const bool isParted = cross(b - a, c - a) * cross(b - a, d - a) < 0;
+  return isParted && cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+/// No piece but those that start or end at its end may cut a crease.
+Status checkOnce(const FoldedHalf& half, const MarginCurve& curve, const Stretch& stretch) {
+  const std::size_t own = curve.crossings[stretch.crease];
+  for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
+    if (i == own || i + 1 == own) continue;
+    for (int k = 0; k < kPerPiece; ++k) {
+      const Vec2 a = pointAt(curve.arcs[i], static_cast<double>(k) / kPerPiece);
+      const Vec2 b = pointAt(curve.arcs[i], static_cast<double>(k + 1) / kPerPiece);
+      if (!doCross(a, b, stretch.from, stretch.to)) continue;
+      return badMargin("no single margin cuts all layers: it would cut the " +
+                       half.creases()[stretch.crease].name +
+                       " a second time, nearer to the petiole than its end; make it shorter, or "
+                       "change the angles before it");
+    }
+  }
+  return std::monostate{};
+}
+
+}  // namespace
+
+std::vector<Vec2> marginOfFacet(const FoldedHalf& half, const MarginCurve& curve, std::size_t facet,
+                                int perPiece) {
+  std::vector<Vec2> places;
+  const auto add = [&](Vec2 p) { places.push_back(half.pose(facet).pullBack({p.x, p.y, 0})); };
+  const std::size_t last = curve.crossings[half.sinusOf(facet)];
+  for (std::size_t i = curve.crossings[half.tipOf(facet)]; i < last; ++i) {
+    for (int k = 0; k < perPiece; ++k) {
+      add(pointAt(curve.arcs[i], static_cast<double>(k) / perPiece));
+    }
+  }
+  add(curve.arcs[last].start);
+  return places;
+}
+
+Status checkMargin(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+                   const MarginCurve& curve) {
+  for (std::size_t i = 0; i + 1 < half.creases().size(); ++i) {
+    if (Status status = checkFacet(half, knots, curve, i); !status) return status;
+  }
+  for (const Stretch& stretch : keptCreases(half)) {
+    if (Status status = checkOnce(half, curve, stretch); !status) return status;
+  }
+  return std::monostate{};
+}
+
+}  // namespace kiri
