@@ -152,7 +152,7 @@ class PathChecker {
   FacetShapes pieces_;
   FacetShapes hulls_;
   const FacetShapes* shapes_ = &pieces_;  ///< which of them are looked at
-  double deep_;  ///< what passes deeper is a certain crossing, mm
+  double deep_;                           ///< what passes deeper is a certain crossing, mm
   std::map<double, std::vector<Rigid>> known_;
   double end_ = 1;
   std::size_t posed_ = 0;      ///< moments for which poses were asked

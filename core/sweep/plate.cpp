@@ -171,7 +171,8 @@ double distanceBetween(const Plate& a, const Plate& b, double enough) {
     const double gap = gapAlong(a, b, direction / span);
     if (gap >= enough) return gap;
   }
-  return std::min(distanceOfSides(a, b), std::min(distanceOfCorners(a, b), distanceOfCorners(b, a)));
+  return std::min(distanceOfSides(a, b),
+                  std::min(distanceOfCorners(a, b), distanceOfCorners(b, a)));
 }
 
 }  // namespace kiri
