@@ -30,7 +30,7 @@ ProgressLine::ProgressLine(Console& console, std::string what)
     : console_(console), what_(std::move(what)) {}
 
 ProgressLine::~ProgressLine() {
-  if (shown_ >= 0) console_.err << "\r\x1b[K" << std::flush;
+  if (!shown_.empty()) console_.err << "\r\x1b[K" << std::flush;
 }
 
 Progress ProgressLine::progress() {
@@ -40,9 +40,14 @@ Progress ProgressLine::progress() {
 bool ProgressLine::update(double done) {
   constexpr double kPercent = 100;
   const int percent = static_cast<int>(kPercent * std::clamp(done, 0.0, 1.0));
-  if (console_.showsProgress && percent != shown_) {
-    console_.err << '\r' << what_ << ' ' << percent << " %" << std::flush;
-    shown_ = percent;
+  return tell(std::to_string(percent) + " %");
+}
+
+bool ProgressLine::tell(const std::string& words) {
+  if (console_.showsProgress && words != shown_) {
+    // What was there may have been longer.
+    console_.err << '\r' << what_ << ' ' << words << "\x1b[K" << std::flush;
+    shown_ = words;
   }
   return !isCancelled(console_);
 }

@@ -19,6 +19,7 @@ struct Console {
   std::ostream& err;
   bool showsProgress = false;         ///< progress is written to `err`
   std::function<bool()> isCancelled;  ///< may be empty: never
+  std::string programFolder = {};     ///< where the program's file is; empty: nobody knows
 };
 
 /// Writes "error: sentence" and returns the code.
@@ -43,11 +44,13 @@ class ProgressLine {
   Progress progress();
   /// Says where the work is; false when it shall stop.
   bool update(double done);
+  /// The same in words: "12 of 38".
+  bool tell(const std::string& words);
 
  private:
   Console& console_;
   std::string what_;
-  int shown_ = -1;
+  std::string shown_;
 };
 
 /// Puts the result where the user wants it: into a file, or to standard output for "-".

@@ -93,15 +93,8 @@ GltfSide gltfSide(const SideLook& look) {
 }
 
 GltfOptions gltfOptionsOf(Console& console, const ModelInput& input, const ExportOptions& options) {
-  GltfOptions gltf;
-  gltf.generator = "KiriSim " KIRI_VERSION;
-  gltf.title = titleOf(input);
   const Result<Appearance> appearance = appearanceFor(console, input, {});
-  if (appearance.isOk()) {
-    gltf.sheet = appearance->textureBox;
-    gltf.front = gltfSide(appearance->front);
-    gltf.back = gltfSide(appearance->back);
-  }
+  GltfOptions gltf = gltfLooksOf(input, appearance ? *appearance : appearanceOf(input.model));
   gltf.layerGap = options.layerGap.value_or(gltf.layerGap);
   gltf.thickness = options.thickness.value_or(gltf.thickness);
   gltf.isPattern = options.view == "pattern";
@@ -127,6 +120,16 @@ Status checkMotion(const ExportOptions& options, const std::string& format) {
 }
 
 }  // namespace
+
+GltfOptions gltfLooksOf(const ModelInput& input, const Appearance& appearance) {
+  GltfOptions gltf;
+  gltf.generator = "KiriSim " KIRI_VERSION;
+  gltf.title = titleOf(input);
+  gltf.sheet = appearance.textureBox;
+  gltf.front = gltfSide(appearance.front);
+  gltf.back = gltfSide(appearance.back);
+  return gltf;
+}
 
 Status checkExport(const ExportOptions& options, const std::string& format) {
   if (!options.view.empty() && options.view != "folded" && options.view != "pattern") {

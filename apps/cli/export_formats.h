@@ -9,6 +9,8 @@
 #include "apps/cli/film_options.h"
 #include "apps/cli/model_input.h"
 #include "io/fold_writer.h"
+#include "io/gltf_writer.h"
+#include "render/scene/appearance.h"
 
 namespace kiri::cli {
 
@@ -28,6 +30,9 @@ struct ExportOptions {
 
 /// Mistakes that can be told before any work is done.
 Status checkExport(const ExportOptions& options, const std::string& format);
+
+/// How glTF files show a model that looks like this.
+GltfOptions gltfLooksOf(const ModelInput& input, const Appearance& appearance);
 
 /// The state that is written, and how it came to be.
 struct ExportSource {

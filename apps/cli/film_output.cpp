@@ -64,20 +64,25 @@ Status checkFilmOutput(const FilmOutput& output) {
   return std::monostate{};
 }
 
-int writeFilm(Console& console, const Film& film, const FilmOutput& output) {
-  if (output.format == "png") return writePictures(console, film, output);
+Status shootInto(const Film& film, const FilmOutput& output, const Progress& progress) {
   Result<Encoder> encoder = Encoder::start(
       output.path, {formatOf(output.format), output.width, output.height, output.framesPerSecond});
-  if (!encoder.isOk()) return failFilm(console, encoder.error());
-  ProgressLine line(console, "filming");
-  const Progress stop = [&](double) { return !isCancelled(console); };
+  if (!encoder.isOk()) return encoder.error();
+  double done = 0;
+  const Progress again = [&](double) { return goesOn(progress, done); };
   const Status shot = shoot(
-      film, [&](const Image& frame, std::size_t times) { return encoder->add(frame, times, stop); },
-      line.progress());
-  if (!shot.isOk()) return failFilm(console, shot.error());
-  const Status finished = encoder->finish(line.progress());
-  if (!finished.isOk()) return failFilm(console, finished.error());
-  return kDone;
+      film,
+      [&](const Image& frame, std::size_t times) { return encoder->add(frame, times, again); },
+      [&](double part) { return goesOn(progress, done = part); });
+  if (!shot.isOk()) return shot;
+  return encoder->finish(progress);
+}
+
+int writeFilm(Console& console, const Film& film, const FilmOutput& output) {
+  if (output.format == "png") return writePictures(console, film, output);
+  ProgressLine line(console, "filming");
+  const Status shot = shootInto(film, output, line.progress());
+  return shot.isOk() ? kDone : failFilm(console, shot.error());
 }
 
 }  // namespace kiri::cli

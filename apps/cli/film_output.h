@@ -20,6 +20,10 @@ struct FilmOutput {
 /// Mistakes that can be told before any work is done.
 Status checkFilmOutput(const FilmOutput& output);
 
+/// Shoots the film into a file of its format, which is no png. Errors: NotFound - there is no
+/// ffmpeg; Unwritable; Cancelled. Nothing is left behind then.
+Status shootInto(const Film& film, const FilmOutput& output, const Progress& progress);
+
 /// Shoots the film and writes it, with progress. Nothing is left behind when it fails or is
 /// stopped.
 int writeFilm(Console& console, const Film& film, const FilmOutput& output);

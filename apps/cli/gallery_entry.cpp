@@ -2,66 +2,35 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/gallery_entry.h"
 
+#include <cmath>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <utility>
 
+#include "apps/cli/export_formats.h"
 #include "apps/cli/film_options.h"
 #include "apps/cli/film_output.h"
+#include "apps/cli/gallery_leaf.h"
+#include "apps/cli/gallery_moments.h"
+#include "apps/cli/gallery_plan.h"
+#include "apps/cli/gallery_scenes.h"
 #include "apps/cli/picture_options.h"
-#include "core/layers/layer_count.h"
-#include "core/model/apply.h"
 #include "io/file.h"
-#include "io/fold_history.h"
-#include "io/fold_writer.h"
+#include "io/gltf_animation.h"
 #include "io/kiri_writer.h"
 #include "render/canvas/png.h"
 #include "render/canvas/rasterise.h"
 #include "render/canvas/write.h"
-#include "render/scene/model_scene.h"
-#include "render/scene/pattern_scene.h"
+#include "render/scene/next_line.h"
 #include "render/scene/sheet_scene.h"
 
 namespace kiri::cli {
 
 namespace {
 
-constexpr double kHalf = 0.5;
-/// How a model that is half open is looked at.
-constexpr double kFromTheSide = 20;
-constexpr double kFromAbove = 40;
-
-std::string folderNameOf(const ModelInput& input) {
-  return std::filesystem::path(input.name).stem().string();
-}
-
-/// The number of steps after which most layers lie on each other; of equals the last.
-std::size_t mostFolded(const Replay& replay) {
-  std::size_t best = 0;
-  std::uint32_t layers = 0;
-  for (std::size_t i = 0; i < replay.outcomes.size(); ++i) {
-    const std::uint32_t here = maxLayerCount(*replay.outcomes[i].state);
-    if (here >= layers) best = i + 1;
-    layers = std::max(layers, here);
-  }
-  return best;
-}
-
-const FoldedState& stateOf(const Replay& replay, std::size_t steps) {
-  return steps == 0 ? *replay.start : *replay.outcomes[steps - 1].state;
-}
-
-/// Half way to the unfolded sheet; none where nothing is folded or the paper would have to bend.
-std::optional<FoldedState> halfUnfolded(const FoldedState& folded, Sequence opening, int number) {
-  for (const Sequence sequence : {opening, Sequence::InOrder}) {
-    Movements movements;
-    const Step unfold{UnfoldStep{{}, sequence}, "", "", ""};
-    const Result<FoldedState> flat = apply(folded, unfold, number, &movements);
-    if (flat && !movements.empty()) return stateAlong(movements, kHalf);
-  }
-  return std::nullopt;
-}
+/// From where the film is taken.
+constexpr double kFilmElevation = 60;
+/// Twice as fast as films are by themselves: who leafs through a gallery has little time.
+constexpr double kFilmSpeed = 240;
 
 /// Writes into one folder; the first error stays.
 class EntryWriter {
@@ -70,17 +39,34 @@ class EntryWriter {
               GalleryEntryFiles& entry)
       : console_(console), input_(input), options_(options), entry_(entry) {}
 
-  Status write(const Replay& replay, const Appearance& appearance);
+  Status write(const Timeline& timeline, const Appearance& appearance);
 
  private:
   Status file(const std::string& name, const std::string& bytes) {
+    if (isCancelled(console_)) return Error{ErrorCode::Cancelled, "", {}};
     return writeFile(options_.out + "/" + entry_.folder + "/" + name, bytes);
   }
-  Status picture(const Result<Scene>& scene, const std::string& label, const std::string& name);
-  Status views(const Replay& replay, const Appearance& appearance);
-  Status drawings(const Replay& replay, const Appearance& appearance);
-  Status models(const Replay& replay);
-  Status film(const Appearance& appearance);
+  Status download(const std::string& label, const std::string& name, const std::string& bytes) {
+    entry_.downloads.push_back({label, name, bytes.size()});
+    return file(name, bytes);
+  }
+  Status download(const std::string& label, const std::string& name,
+                  const Result<std::string>& bytes) {
+    return bytes ? download(label, name, *bytes) : Status(bytes.error());
+  }
+  Result<GalleryPicture> picture(const Scene& scene, const std::string& label,
+                                 const std::string& name);
+  Status pictures(const Timeline& timeline, const GalleryMoments& moments,
+                  const Appearance& appearance);
+  Status stepSheet(const Timeline& timeline, const Appearance& appearance);
+  Status leaf(const Timeline& timeline, const GalleryMoments& moments,
+              const Appearance& appearance);
+  Status models(const Timeline& timeline, const Appearance& appearance);
+  Status film(const Timeline& timeline, const Appearance& appearance);
+  std::size_t steps() const { return input_.model.steps.size(); }
+  Progress progress() {
+    return [this](double) { return !isCancelled(console_); };
+  }
 
   Console& console_;
   const ModelInput& input_;
@@ -88,99 +74,103 @@ class EntryWriter {
   GalleryEntryFiles& entry_;
 };
 
-Status EntryWriter::picture(const Result<Scene>& scene, const std::string& label,
-                            const std::string& name) {
-  if (!scene) return scene.error();
-  const Result<Image> image = rasterise(*scene, options_.pixels, options_.pixels);
+Result<GalleryPicture> EntryWriter::picture(const Scene& scene, const std::string& label,
+                                            const std::string& name) {
+  const Result<Image> image = rasterise(scene, options_.pixels, options_.pixels);
   if (!image) return image.error();
   const Result<std::string> png = encodePng(*image, 0);
   if (!png) return png.error();
-  entry_.pictures.push_back({label, name});
-  return file(name, *png);
+  const Status written = file(name, *png);
+  if (!written) return written.error();
+  return GalleryPicture{label, name, options_.pixels, options_.pixels};
 }
 
-Status EntryWriter::views(const Replay& replay, const Appearance& appearance) {
-  const std::size_t count = replay.outcomes.size();
-  const std::size_t most = mostFolded(replay);
-  const FoldedState& last = stateOf(replay, count);
-  const FoldedState& folded = stateOf(replay, most);
-  Status status = picture(modelScene(last, appearance, frontSpec()), "finished", "finished.png");
-  if (status) status = picture(modelScene(folded, appearance, frontSpec()), "folded", "folded.png");
-  const auto half = halfUnfolded(folded, input_.model.opening, static_cast<int>(most) + 1);
-  if (status && half) {
-    ViewSpec aslant{kFromTheSide, kFromAbove};
-    aslant.isShaded = true;
-    status = picture(modelScene(*half, appearance, aslant), "half unfolded", "half.png");
+Status EntryWriter::pictures(const Timeline& timeline, const GalleryMoments& moments,
+                             const Appearance& appearance) {
+  const auto scenes = galleryScenesOf(timeline, steps(), moments, appearance, progress());
+  if (!scenes) return scenes.error();
+  for (const GalleryScene& scene : *scenes) {
+    Result<GalleryPicture> shown = picture(scene.scene, scene.label, scene.file + ".png");
+    if (!shown) return shown.error();
+    entry_.pictures.push_back(std::move(*shown));
   }
-  if (status) status = picture(patternScene(last, appearance), "unfolded", "unfolded.png");
-  return status;
-}
-
-Status EntryWriter::drawings(const Replay& replay, const Appearance& appearance) {
-  const FoldedState& folded = stateOf(replay, mostFolded(replay));
-  PatternSceneOptions lines;
-  lines.fill = PatternFill::None;
-  const Result<std::string> pattern = writeSvg(patternScene(folded, appearance, lines));
-  if (!pattern) return pattern.error();
-  entry_.downloads.push_back({"crease pattern (SVG)", "pattern.svg"});
-  Status status = file("pattern.svg", *pattern);
-  if (!status) return status;
-  const Result<Scene> sheet = sheetScene(input_.model, replay, appearance);
-  if (!sheet) return sheet.error();
-  const Result<std::string> svg = writeSvg(*sheet);
-  if (!svg) return svg.error();
-  entry_.downloads.push_back({"step sheet (SVG)", "steps.svg"});
-  return file("steps.svg", *svg);
-}
-
-Status EntryWriter::models(const Replay& replay) {
-  const std::string base = entry_.folder;
-  entry_.downloads.push_back({"model (.kiri)", base + ".kiri"});
-  Status status = file(base + ".kiri", writeKiri(input_.model));
-  if (!status) return status;
-  std::vector<std::shared_ptr<const FoldedState>> after;
-  for (const StepOutcome& outcome : replay.outcomes) after.push_back(outcome.state);
-  const FoldOptions fold{"KiriSim " KIRI_VERSION, entry_.title, entry_.notes};
-  const FoldedState& last = stateOf(replay, replay.outcomes.size());
-  entry_.downloads.push_back({"FOLD", base + ".fold"});
-  return file(base + ".fold",
-              writeFold(last, foldHistoryOf(input_.model, after, nullptr), fold).text);
-}
-
-Status EntryWriter::film(const Appearance& appearance) {
-  const std::string name = "motion.webp";
-  FilmOutput output{options_.out + "/" + entry_.folder + "/" + name, "webp", options_.pixels,
-                    options_.pixels, options_.framesPerSecond};
-  TimelineOptions time;
-  time.degreesPerSecond = 2 * time.degreesPerSecond;
-  const Result<Timeline> timeline = Timeline::of(input_.model, time);
-  if (!timeline) return timeline.error();
-  FilmOptions options;
-  options.width = options.height = options_.pixels;
-  options.framesPerSecond = options_.framesPerSecond;
-  options.view = {0, kFromAbove + kFromTheSide};
-  options.view.isShaded = true;
-  const Result<Film> film = Film::of(*timeline, appearance, options);
-  if (!film) return film.error();
-  if (writeFilm(console_, *film, output) != kDone) {
-    return Error{isCancelled(console_) ? ErrorCode::Cancelled : ErrorCode::Unwritable,
-                 entry_.folder + ": the film could not be made; --no-animations leaves films out"};
-  }
-  entry_.pictures.push_back({"in motion", name});
+  entry_.thumbnail = galleryThumbnailOf(*scenes, input_.model, moments);
+  entry_.remark = halfWayRemark(moments.halfWay);
   return std::monostate{};
 }
 
-Status EntryWriter::write(const Replay& replay, const Appearance& appearance) {
+Status EntryWriter::stepSheet(const Timeline& timeline, const Appearance& appearance) {
+  const Result<Scene> sheet = sheetScene(input_.model, replayOf(timeline, steps()), appearance);
+  if (!sheet) return sheet.error();
+  constexpr double kPixelsPerMm = 96 / 25.4;
+  entry_.stepSheet = {"the steps", "steps.svg",
+                      static_cast<int>(std::round(sheet->width * kPixelsPerMm)),
+                      static_cast<int>(std::round(sheet->height * kPixelsPerMm))};
+  Status status = download("step sheet to print (PDF)", "steps.pdf", writePdf(*sheet));
+  if (status) status = download("step sheet (SVG)", "steps.svg", writeSvg(*sheet));
+  return status;
+}
+
+Status EntryWriter::leaf(const Timeline& timeline, const GalleryMoments& moments,
+                         const Appearance& appearance) {
+  const auto measures =
+      galleryLeafOf(input_.model, timeline.stateAfter(steps()), moments.isOpenAtTheEnd);
+  if (!measures) return std::monostate{};
+  entry_.measures = galleryMeasuresOf(*measures);
+  const Scene scene = galleryMeasureScene(timeline.stateAfter(steps()), *measures, appearance);
+  Result<GalleryPicture> shown =
+      picture(scene, "measured: axis, lobes and sinuses", "measured.png");
+  if (!shown) return shown.error();
+  entry_.measured = std::move(*shown);
+  return std::monostate{};
+}
+
+Status EntryWriter::models(const Timeline& timeline, const Appearance& appearance) {
+  const std::string base = entry_.folder;
+  Status status = download("model (.kiri)", base + ".kiri", writeKiri(input_.model));
+  if (!status) return status;
+  const Replay replay = replayOf(timeline, steps());
+  const StepChoice end{steps(), 0};
+  const ExportSource source{input_, replay, end, timeline.stateAfter(steps())};
+  status = download("crease pattern and folded forms (.fold)", base + ".fold",
+                    exportedAs(console_, "fold", source, {}).text);
+  if (!status) return status;
+  const Result<Exported> solid =
+      writeAnimatedGlb(timeline, gltfLooksOf(input_, appearance), progress());
+  if (!solid) return solid.error();
+  return download("in motion, in space (.glb)", base + ".glb", solid->text);
+}
+
+Status EntryWriter::film(const Timeline& timeline, const Appearance& appearance) {
+  const std::string name = "motion.webp";
+  FilmOptions options;
+  options.width = options.height = options_.filmPixels;
+  options.framesPerSecond = options_.framesPerSecond;
+  options.view = {0, kFilmElevation};
+  options.view.isShaded = true;
+  const Result<Film> film = Film::of(timeline, appearance, options, progress());
+  if (!film) return film.error();
+  const FilmOutput output{options_.out + "/" + entry_.folder + "/" + name, "webp",
+                          options_.filmPixels, options_.filmPixels, options_.framesPerSecond};
+  entry_.film = {"film of all steps", name, options_.filmPixels, options_.filmPixels};
+  return shootInto(*film, output, progress());
+}
+
+Status EntryWriter::write(const Timeline& timeline, const Appearance& appearance) {
+  const std::string folder = options_.out + "/" + entry_.folder;
   std::error_code error;
-  std::filesystem::create_directories(options_.out + "/" + entry_.folder, error);
-  if (error) {
-    return Error{ErrorCode::Unwritable,
-                 options_.out + "/" + entry_.folder + ": " + error.message()};
+  std::filesystem::create_directories(folder, error);
+  if (error) return Error{ErrorCode::Unwritable, folder + ": " + error.message()};
+  const GalleryMoments moments = galleryMomentsOf(input_.model, timeline);
+  Status status = pictures(timeline, moments, appearance);
+  if (status) {
+    status = download("crease pattern in true size (SVG)", "pattern.svg",
+                      writeSvg(galleryPattern(timeline.stateAfter(moments.folded), appearance)));
   }
-  Status status = views(replay, appearance);
-  if (status) status = drawings(replay, appearance);
-  if (status) status = models(replay);
-  if (status && options_.hasAnimations) status = film(appearance);
+  if (status) status = stepSheet(timeline, appearance);
+  if (status) status = leaf(timeline, moments, appearance);
+  if (status) status = models(timeline, appearance);
+  if (status && options_.hasAnimations) status = film(timeline, appearance);
   return status;
 }
 
@@ -189,17 +179,20 @@ Status EntryWriter::write(const Replay& replay, const Appearance& appearance) {
 Result<GalleryEntryFiles> writeGalleryEntry(Console& console, const ModelInput& input,
                                             const GalleryOptions& options) {
   GalleryEntryFiles entry;
-  entry.folder = folderNameOf(input);
+  entry.folder = galleryFolderOf(input.name);
   entry.title = titleOf(input);
   entry.notes = input.model.notes;
-  for (const Step& step : input.model.steps) entry.steps.emplace_back(step.title, step.notes);
-  const Result<Replay> replayed = replay(input.model);
-  if (!replayed) return replayed.error();
-  const auto last = stateAfter(console, input, *replayed, input.model.steps.size());
-  if (!last) return last.error();
+  for (const Step& step : input.model.steps) {
+    entry.steps.emplace_back(step.title.empty() ? wordsFor(step) : step.title, step.notes);
+  }
+  TimelineOptions time;
+  time.degreesPerSecond = kFilmSpeed;
+  time.lastStep = input.model.steps.size();
+  const Result<Timeline> timeline = timelineOf(console, input, time);
+  if (!timeline) return timeline.error();
   const Result<Appearance> appearance = appearanceFor(console, input, {});
   if (!appearance) return appearance.error();
-  const Status status = EntryWriter(console, input, options, entry).write(*replayed, *appearance);
+  const Status status = EntryWriter(console, input, options, entry).write(*timeline, *appearance);
   if (!status) return status.error();
   return entry;
 }

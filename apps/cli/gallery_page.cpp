@@ -1,105 +1,227 @@
-// The gallery as static HTML.
+// The gallery as static HTML: no scripts, nothing from elsewhere, light and dark.
 // SPDX-License-Identifier: MIT
 #include "apps/cli/gallery_page.h"
+
+#include <cctype>
+#include <utility>
+
+#include "apps/cli/gallery_style.h"
+#include "apps/cli/html.h"
 
 namespace kiri::cli {
 
 namespace {
 
-constexpr const char* kStyle =
-    "<style>\n"
-    "body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 72rem; "
-    "padding: 0 1rem; color: #222; background: #fff }\n"
-    "h1 { font-weight: 600 } a { color: #2a6f2a }\n"
-    ".models, .pictures { display: grid; gap: 1.5rem; "
-    "grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr)) }\n"
-    "figure { margin: 0 } img { width: 100%; border: 1px solid #ddd; border-radius: 6px }\n"
-    "figcaption { margin-top: .3rem } .notes { color: #555; font-size: .9em }\n"
-    "</style>\n";
+constexpr const char* kNotes = " class=\"notes\"";
 
-std::string escaped(const std::string& text) {
+std::string capitalised(std::string words) {
+  if (!words.empty()) {
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  }
+  return words;
+}
+
+/// Up to the full stop that ends the first sentence.
+std::string firstSentence(const std::string& text) {
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    const bool isUpper = std::isupper(static_cast<unsigned char>(text[i + 2])) != 0;
+    if (text[i] == '.' && text[i + 1] == ' ' && isUpper) return text.substr(0, i + 1);
+  }
+  return text;
+}
+
+std::string sizeText(std::size_t bytes) {
+  constexpr std::size_t kKilo = 1000;
+  if (bytes < kKilo) return std::to_string(bytes) + " bytes";
+  if (bytes < kKilo * kKilo) return std::to_string((bytes + kKilo / 2) / kKilo) + " kB";
+  const std::size_t tenths = (bytes + kKilo * kKilo / 20) / (kKilo * kKilo / 10);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MB";
+}
+
+std::string paragraph(const std::string& text) {
+  return text.empty() ? "" : htmlTag("p", kNotes, htmlText(text)) + "\n";
+}
+
+std::string anchor(const std::string& target, const std::string& words,
+                   const std::string& more = "") {
+  return htmlTag("a", " href=\"" + target + "\"" + more, words);
+}
+
+std::string image(const std::string& folder, const GalleryPicture& picture,
+                  const std::string& alternative) {
+  return "<img src=\"" + htmlLink(folder + picture.name) + "\"" +
+         htmlAttribute("alt", alternative) + " width=\"" + std::to_string(picture.width) +
+         "\" height=\"" + std::to_string(picture.height) + "\" loading=\"lazy\" />";
+}
+
+std::string page(const std::string& title, const std::string& body) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n" +
+         htmlTag("title", "", htmlText(title)) + "\n" + htmlTag("style", "", kGalleryStyle) +
+         "\n</head>\n<body>\n" + body +
+         "<footer><p>Made with KiriSim " KIRI_VERSION ".</p></footer>\n</body>\n</html>\n";
+}
+
+std::string groupId(std::size_t group) { return "group-" + std::to_string(group + 1); }
+
+std::string indexItem(const GalleryEntryFiles& entry) {
+  const std::string thumbnail = image(entry.folder + "/", entry.pictures[entry.thumbnail], "");
+  return htmlTag("li", "",
+                 anchor(htmlLink(entry.folder) + "/index.html", thumbnail + htmlText(entry.title)) +
+                     paragraph(firstSentence(entry.notes))) +
+         "\n";
+}
+
+std::string indexGroup(const GalleryPageGroup& group, std::size_t number) {
+  const std::string id = groupId(number);
   std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
+  if (!group.title.empty()) {
+    out += htmlTag("h2", " id=\"" + id + "-title\"", htmlText(group.title)) + "\n";
+  }
+  out += paragraph(group.notes);
+  std::string items;
+  for (const GalleryEntryFiles& entry : group.entries) items += indexItem(entry);
+  out += htmlTag("ul", " class=\"plain models\"", "\n" + items) + "\n";
+  const std::string name =
+      group.title.empty() ? "" : htmlAttribute("aria-labelledby", id + "-title");
+  return htmlTag("section", " id=\"" + id + "\"" + name, "\n" + out) + "\n";
+}
+
+/// Links to the groups; nothing where there is one group.
+std::string indexNavigation(const GalleryPages& pages) {
+  if (pages.groups.size() < 2) return "";
+  std::string items;
+  for (std::size_t g = 0; g < pages.groups.size(); ++g) {
+    const std::string& title = pages.groups[g].title;
+    const std::string words = title.empty() ? "More models" : htmlText(title);
+    items += htmlTag("li", "", anchor("#" + groupId(g), words)) + "\n";
+  }
+  return htmlTag("nav", " aria-label=\"Groups\"",
+                 htmlTag("ul", " class=\"plain bar\"", "\n" + items)) +
+         "\n";
+}
+
+/// The models before and after one in the order of the gallery.
+struct Neighbours {
+  const GalleryEntryFiles* before = nullptr;
+  const GalleryEntryFiles* after = nullptr;
+};
+
+Neighbours neighboursOf(const GalleryPages& pages, const GalleryEntryFiles& entry) {
+  Neighbours found;
+  const GalleryEntryFiles* last = nullptr;
+  for (const GalleryPageGroup& group : pages.groups) {
+    for (const GalleryEntryFiles& other : group.entries) {
+      if (&other == &entry) found.before = last;
+      if (last == &entry) found.after = &other;
+      last = &other;
     }
   }
-  return out;
+  return found;
 }
 
-/// A file's name in a link: what is no letter, digit or mark of file names is written as %XX.
-std::string linked(const std::string& name) {
-  constexpr const char* kDigits = "0123456789ABCDEF";
-  std::string out;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                         (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == '/';
-    if (isPlain) {
-      out += c;
-    } else {
-      out += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
-    }
+std::string pageNavigation(const GalleryPages& pages, std::size_t group,
+                           const GalleryEntryFiles& entry) {
+  const Neighbours neighbours = neighboursOf(pages, entry);
+  const auto link = [](const GalleryEntryFiles& to, const std::string& words,
+                       const std::string& how) {
+    return htmlTag("li", "", anchor("../" + htmlLink(to.folder) + "/index.html", words, how)) +
+           "\n";
+  };
+  std::string items =
+      htmlTag("li", "", anchor("../index.html#" + groupId(group), "All models")) + "\n";
+  if (neighbours.before != nullptr) {
+    items += link(*neighbours.before, "← " + htmlText(neighbours.before->title), " rel=\"prev\"");
   }
-  return out;
+  if (neighbours.after != nullptr) {
+    items += link(*neighbours.after, htmlText(neighbours.after->title) + " →", " rel=\"next\"");
+  }
+  return htmlTag("nav", " aria-label=\"Models\"",
+                 htmlTag("ul", " class=\"plain bar\"", "\n" + items)) +
+         "\n";
 }
 
-std::string head(const std::string& title) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(title) + "</title>\n" + kStyle + "</head>\n<body>\n<h1>" + escaped(title) +
-         "</h1>\n";
+std::string figure(const std::string& content, const std::string& caption) {
+  return htmlTag("figure", "", content + htmlTag("figcaption", "", caption)) + "\n";
 }
 
-std::string figure(const std::string& image, const std::string& alternative,
-                   const std::string& caption) {
-  return "<figure><img src=\"" + linked(image) + "\" alt=\"" + escaped(alternative) +
-         "\" loading=\"lazy\"><figcaption>" + caption + "</figcaption></figure>\n";
+/// Who asked the machine for less motion sees the finished model instead.
+std::string filmOf(const GalleryEntryFiles& entry) {
+  const std::string still = "<source srcset=\"" + htmlLink(entry.pictures.front().name) +
+                            "\" media=\"(prefers-reduced-motion: reduce)\" />";
+  const std::string moving = image("", entry.film, entry.title + ", " + entry.film.label);
+  return figure(htmlTag("picture", "", still + moving),
+                anchor(htmlLink(entry.film.name), capitalised(entry.film.label)));
+}
+
+std::string picturesOf(const GalleryEntryFiles& entry) {
+  std::string out;
+  if (!entry.film.name.empty()) out += filmOf(entry);
+  for (const GalleryPicture& picture : entry.pictures) {
+    out += figure(image("", picture, entry.title + ", " + picture.label),
+                  htmlText(capitalised(picture.label)));
+  }
+  return htmlTag("div", " class=\"pictures\"", "\n" + out) + "\n" + paragraph(entry.remark);
+}
+
+std::string stepsOf(const GalleryEntryFiles& entry) {
+  if (entry.steps.empty()) return "";
+  std::string items;
+  for (const auto& [title, notes] : entry.steps) {
+    items += htmlTag("li", "", htmlTag("p", "", htmlText(title)) + paragraph(notes)) + "\n";
+  }
+  const std::string sheet =
+      image("", entry.stepSheet, "The steps of " + entry.title + " in pictures");
+  return htmlTag("h2", "", "Steps") + "\n" + htmlTag("ol", " class=\"steps\"", "\n" + items) +
+         "\n" +
+         htmlTag("figure", " class=\"sheet\"", anchor(htmlLink(entry.stepSheet.name), sheet)) +
+         "\n";
+}
+
+std::string measuresOf(const GalleryEntryFiles& entry) {
+  if (entry.measures.empty()) return "";
+  std::string rows =
+      htmlTag("caption", "", "On the unfolded leaf; angles from the axis, clockwise");
+  for (const GalleryMeasure& measure : entry.measures) {
+    rows += "\n" + htmlTag("tr", "",
+                           htmlTag("th", " scope=\"row\"", htmlText(measure.words)) +
+                               htmlTag("td", "", htmlText(measure.value)));
+  }
+  const std::string shown =
+      figure(image("", entry.measured, entry.title + ", " + entry.measured.label),
+             htmlText(capitalised(entry.measured.label)));
+  return htmlTag("h2", "", "Measures") + "\n" +
+         htmlTag("div", " class=\"leaf\"", "\n" + shown + htmlTag("table", "", rows)) + "\n";
+}
+
+std::string downloadsOf(const GalleryEntryFiles& entry) {
+  std::string items;
+  for (const GalleryFile& file : entry.downloads) {
+    items += htmlTag("li", "",
+                     anchor(htmlLink(file.name), htmlText(capitalised(file.label))) + ", " +
+                         sizeText(file.bytes)) +
+             "\n";
+  }
+  return htmlTag("h2", "", "Files") + "\n" + htmlTag("ul", "", "\n" + items) + "\n";
 }
 
 }  // namespace
 
-std::string galleryIndex(const std::vector<GalleryEntryFiles>& entries) {
-  std::string out = head("KiriSim gallery") + "<div class=\"models\">\n";
-  for (const GalleryEntryFiles& entry : entries) {
-    const std::string link = linked(entry.folder) + "/index.html";
-    const std::string caption = "<a href=\"" + link + "\">" + escaped(entry.title) +
-                                "</a><div class=\"notes\">" + escaped(entry.notes) + "</div>";
-    out += figure(entry.folder + "/" + entry.pictures.front().name, entry.title, caption);
-  }
-  return out + "</div>\n</body>\n</html>\n";
+std::string galleryIndex(const GalleryPages& pages) {
+  std::string sections;
+  for (std::size_t g = 0; g < pages.groups.size(); ++g) sections += indexGroup(pages.groups[g], g);
+  return page(pages.title, htmlTag("h1", "", htmlText(pages.title)) + "\n" +
+                               indexNavigation(pages) + htmlTag("main", "", "\n" + sections) +
+                               "\n");
 }
 
-std::string galleryPage(const GalleryEntryFiles& entry) {
-  std::string out = head(entry.title) + "<p class=\"notes\">" + escaped(entry.notes) +
-                    "</p>\n<div class=\"pictures\">\n";
-  for (const GalleryFile& picture : entry.pictures) {
-    out += figure(picture.name, entry.title + ", " + picture.label, escaped(picture.label));
-  }
-  out += "</div>\n<h2>Steps</h2>\n<ol>\n";
-  for (const auto& [title, notes] : entry.steps) {
-    out += "<li>" + escaped(title);
-    if (!notes.empty()) out += "<div class=\"notes\">" + escaped(notes) + "</div>";
-    out += "</li>\n";
-  }
-  out += "</ol>\n<h2>Files</h2>\n<ul>\n";
-  for (const GalleryFile& file : entry.downloads) {
-    out += "<li><a href=\"" + linked(file.name) + "\">" + escaped(file.label) + "</a></li>\n";
-  }
-  return out + "</ul>\n<p><a href=\"../index.html\">All models</a></p>\n</body>\n</html>\n";
+std::string galleryPage(const GalleryPages& pages, std::size_t group, std::size_t number) {
+  const GalleryEntryFiles& entry = pages.groups[group].entries[number];
+  const std::string content = htmlTag("h1", "", htmlText(entry.title)) + "\n" +
+                              paragraph(entry.notes) + picturesOf(entry) + stepsOf(entry) +
+                              measuresOf(entry) + downloadsOf(entry);
+  return page(entry.title + " - " + pages.title,
+              pageNavigation(pages, group, entry) + htmlTag("main", "", "\n" + content) + "\n");
 }
 
 }  // namespace kiri::cli

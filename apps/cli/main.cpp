@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "apps/cli/run.h"
@@ -20,6 +22,13 @@ void askToStop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+/// Where the file of the running program is.
+std::string programFolder() {
+  std::error_code error;
+  const std::filesystem::path file = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? "" : file.parent_path().string();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -27,7 +36,11 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, askToStop);
   std::signal(SIGPIPE, SIG_IGN);
   std::ios::sync_with_stdio(false);
-  kiri::cli::Console console{std::cin, std::cout, std::cerr, ::isatty(STDERR_FILENO) == 1,
-                             [] { return stopIsWanted != 0; }};
+  kiri::cli::Console console{std::cin,
+                             std::cout,
+                             std::cerr,
+                             ::isatty(STDERR_FILENO) == 1,
+                             [] { return stopIsWanted != 0; },
+                             programFolder()};
   return kiri::cli::run(std::vector<std::string>(argv + 1, argv + argc), console);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/measure_names.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/picture_options.h"
 #include "core/base/text.h"
@@ -28,30 +29,6 @@ struct MeasureCommandOptions {
   double prominence = MeasureOptions{}.prominence;
   PictureOptions picture;
 };
-
-/// The measures that are one number each: name, unit, value.
-struct NamedMeasure {
-  const char* name;
-  const char* unit;
-  double value;
-};
-
-std::vector<NamedMeasure> namedMeasures(const LeafMeasures& m) {
-  return {{"length", "mm", m.length},
-          {"fullLength", "mm", m.fullLength},
-          {"width", "mm", m.width},
-          {"area", "mm2", m.area},
-          {"perimeter", "mm", m.perimeter},
-          {"aspectRatio", "", m.aspectRatio},
-          {"circularity", "", m.circularity},
-          {"solidity", "", m.solidity},
-          {"perimeterRatio", "", m.perimeterRatio},
-          {"asymmetry", "mm", m.asymmetry},
-          {"leftArea", "mm2", m.leftArea},
-          {"rightArea", "mm2", m.rightArea},
-          {"lobes", "", static_cast<double>(m.lobeCount)},
-          {"sinuses", "", static_cast<double>(m.sinusCount)}};
-}
 
 const char* kindOf(const MarginPoint& point) { return point.isLobe ? "lobe" : "sinus"; }
 

@@ -36,8 +36,9 @@ TEST_F(Cli, ExplainsEveryCommandWithExamples) {
   EXPECT_EQ(runKiri({"--help"}).code, kDone);
   EXPECT_TRUE(contains(runKiri({"--help"}).out, "Exit codes:"));
   EXPECT_TRUE(contains(runKiri({"--version"}).out, "KiriSim"));
-  for (const std::string command : {"render", "sheet", "animate", "info", "steps", "export",
-                                    "resolve", "check", "states", "convert"}) {
+  for (const std::string command :
+       {"render", "sheet", "animate", "info", "steps", "export", "resolve", "check", "states",
+        "convert", "leaf", "measure", "gallery"}) {
     const Answer answer = runKiri({command, "--help"});
     EXPECT_EQ(answer.code, kDone) << command;
     EXPECT_TRUE(contains(answer.out, "Examples:\n  kiri " + command)) << answer.out;
