@@ -2,6 +2,7 @@
 #include "core/fold/moving_facets.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kiri {
 namespace {
@@ -45,6 +46,47 @@ std::vector<EdgeId> wayTo(const FoldedState& state, const Flood& reached, FacetI
   return way;
 }
 
+/// The facets joined to `seeds` by hinges that `passes` lets through.
+template <typename Passes>
+std::vector<bool> joined(const FoldedState& state, std::vector<FacetId> seeds, Passes passes) {
+  std::vector<bool> isReached(state.pattern.facets.size(), false);
+  for (const FacetId f : seeds) isReached[f.index] = true;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    for (const EdgeUse use : state.pattern[seeds[i]].border) {
+      const Edge& edge = state.pattern[use.edge];
+      if (edge.kind != EdgeKind::Hinge) continue;
+      const FacetId next = across(edge, seeds[i]);
+      if (isReached[next.index] || !passes(edge, next)) continue;
+      isReached[next.index] = true;
+      seeds.push_back(next);
+    }
+  }
+  return isReached;
+}
+
+/// Takes along paper that is rolled up: what hangs on moving paper only, by creases on the axis
+/// that are folded right over, so that both their sides lie on the moving side.
+void takeRolledUp(const FoldedState& state, const Motion& axis,
+                  const std::vector<FacetId>& fixedSeeds, std::vector<bool>& moves) {
+  const std::vector<bool> rests =
+      joined(state, fixedSeeds, [&](const Edge&, FacetId next) { return !moves[next.index]; });
+  std::vector<FacetId> moving;
+  for (std::size_t f = 0; f < moves.size(); ++f) {
+    if (moves[f]) moving.push_back(FacetId(f));
+  }
+  const std::vector<bool> all = joined(state, moving, [&](const Edge& edge, FacetId next) {
+    const bool isClosed = std::abs(edge.angle) >= 180 - kSameAngle;
+    return !rests[next.index] && (isClosed || !liesOnAxis(state, edge, axis));
+  });
+  const bool isHeldElsewhere =
+      std::any_of(state.pattern.edges.begin(), state.pattern.edges.end(), [&](const Edge& edge) {
+        if (edge.kind != EdgeKind::Hinge || all[edge.left.index] == all[edge.right.index])
+          return false;
+        return !moves[(all[edge.left.index] ? edge.left : edge.right).index];
+      });
+  if (!isHeldElsewhere) moves = all;
+}
+
 }  // namespace
 
 bool liesOnAxis(const FoldedState& state, const Edge& edge, const Motion& axis) {
@@ -60,6 +102,7 @@ MovingSet movingFacets(const FoldedState& state, const Motion& axis,
   for (const FacetId fixed : fixedSeeds) {
     if (reached.isReached[fixed.index]) return {reached.isReached, wayTo(state, reached, fixed)};
   }
+  if (!fixedSeeds.empty()) takeRolledUp(state, axis, fixedSeeds, reached.isReached);
   return {std::move(reached.isReached), {}};
 }
 

@@ -57,6 +57,38 @@ TEST(Fold, ThroughTwoLayersMakesAMountainAndAValley) {
   EXPECT_NEAR(areaOf(state), 10000, 1e-8);
 }
 
+TEST(Fold, TakesAlongWhatIsRolledUpOnTheLine) {
+  const std::string rolled =
+      "square 100; fold A valley 75,0 75,100 right; fold B valley @model 50,0 50,100 right; "
+      "fold C valley @model 25,0 25,100 right";
+  const FoldedState state = run(rolled);
+  EXPECT_TRUE(isClean(state));
+  for (const char* name : {"A", "B", "C"}) {
+    EXPECT_EQ(anglesOf(state, name), (std::vector<double>{180})) << name;
+  }
+  EXPECT_TRUE(liesAt(state, {100, 0}, {0, 0, 0}));
+  EXPECT_TRUE(isAbove(state, {40, 50}, {90, 50}));
+  EXPECT_TRUE(isAbove(state, {90, 50}, {60, 50}));
+  EXPECT_TRUE(isAbove(state, {60, 50}, {10, 50}));
+  const FoldedState open = run(rolled + "; unfold C");
+  EXPECT_TRUE(isClean(open));
+  EXPECT_EQ(anglesOf(open, "A"), (std::vector<double>{180}));
+  EXPECT_TRUE(liesAt(open, {100, 0}, {50, 0, 0}));
+}
+
+TEST(Fold, TakesAlongTwoLayersThatAreRolledUpTogether) {
+  // The crease of the half, at the end, lies on the line of the last fold, too.
+  const FoldedState state =
+      run("square 100; fold H valley 50,0 50,100 right; fold T valley @model 40,-5 40,105 right; "
+          "fold A valley @model 30,-5 30,105 right; fold B valley @model 20,-5 20,105 right; "
+          "fold C valley @model 10,-5 10,105 right");
+  EXPECT_TRUE(isClean(state));
+  for (const char* name : {"T", "A", "B", "C"}) {
+    EXPECT_EQ(anglesOf(state, name), (std::vector<double>{-180, 180})) << name;
+  }
+  EXPECT_TRUE(liesAt(state, {50, 0}, {10, 0, 0}));
+}
+
 TEST(Fold, StopsAtAnAngle) {
   const FoldedState state = run("square 100; fold A valley 90 50,0 50,100 left");
   EXPECT_TRUE(isClean(state));
