@@ -85,6 +85,22 @@ bool isClear(const FoldedHalf& half, const std::vector<Vec2>& margin,
   return true;
 }
 
+bool doMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const bool isParted = cross(b - a, c - a) * cross(b - a, d - a) <= 0;
+  return isParted && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
+}
+
+/// No two sides meet, and all stay in their half.
+bool isSimple(const std::vector<Vec2>& places) {
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    if (!(places[i + 1].x > 0)) return false;
+    for (std::size_t k = i + 2; k + 1 < places.size(); ++k) {
+      if (doMeet(places[i], places[i + 1], places[k], places[k + 1])) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<BladeOutline> bladeOutline(const FoldedHalf& half, const MarginCurve& curve) {
@@ -96,15 +112,18 @@ Result<BladeOutline> bladeOutline(const FoldedHalf& half, const MarginCurve& cur
       std::vector<Vec2> margin = marginOfFacet(half, curve, facet, kPerPiece);
       if (half.tipOf(facet) != facet) std::reverse(margin.begin(), margin.end());
       const std::vector<Vec2> border = borderOf(half, margin, facet, room);
-      if (!isClear(half, margin, border, facet, room)) break;
+      if (!isClear(half, margin, border, facet, room) || !isSimple(border)) break;
       outline.ends.push_back(outline.places.size());
       outline.places.insert(outline.places.end(), border.begin(), border.end() - 1);
       if (facet + 2 < half.creases().size()) continue;
       outline.ends.push_back(outline.places.size());
       outline.places.push_back(border.back());
     }
-    if (facet + 1 == half.creases().size()) return outline;
-    tight = facet;
+    if (facet + 1 < half.creases().size()) {
+      tight = facet;
+    } else if (isSimple(outline.places)) {
+      return outline;
+    }
   }
   return Error{ErrorCode::BadValue,
                "the " + half.creases()[tight].name + " and the " + half.creases()[tight + 1].name +

@@ -157,8 +157,7 @@ std::vector<Vec2> interpolated(const std::vector<Vec2>& points) {
   return controls;
 }
 
-MarginCurve curveThrough(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
-                         int density) {
+MarginCurve curveThrough(const std::vector<MarginKnot>& knots, int density) {
   std::vector<Vec2> points = pointsAlong(inOrder(knots), density);
   goOn(points);
   std::reverse(points.begin(), points.end());
@@ -167,9 +166,9 @@ MarginCurve curveThrough(const FoldedHalf& half, const std::vector<MarginKnot>& 
   MarginCurve curve;
   curve.controls = interpolated(points);
   curve.arcs = openSpline(curve.controls, SplineEnds::Clamped);
-  for (std::size_t i = 0; i < half.creases().size(); ++i) {
-    const Vec2 end = half.foldedEnd(i);
-    const auto nearer = [&](Vec2 a, Vec2 b) { return distance(a, end) < distance(b, end); };
+  for (const MarginKnot& knot : knots) {
+    const Vec2 at = polarPlace(knot.folded, knot.length);
+    const auto nearer = [&](Vec2 a, Vec2 b) { return distance(a, at) < distance(b, at); };
     const auto nearest = std::min_element(points.begin(), points.end(), nearer);
     curve.crossings.push_back(static_cast<std::size_t>(nearest - points.begin()));
   }
@@ -181,7 +180,7 @@ MarginCurve curveThrough(const FoldedHalf& half, const std::vector<MarginKnot>& 
 Result<MarginCurve> marginCurve(const FoldedHalf& half, const std::vector<MarginKnot>& knots) {
   // More data points keep the spline nearer to its thread, whose lengths fall.
   for (int density = 1;; density *= 2) {
-    MarginCurve curve = curveThrough(half, knots, density);
+    MarginCurve curve = curveThrough(knots, density);
     const Status status = checkMargin(half, knots, curve);
     if (status) return curve;
     if (density >= kDensest) return status.error();

@@ -33,7 +33,7 @@ Result<std::vector<MarginKnot>> marginKnots(const LeafRecipe& recipe, const Fold
 struct MarginCurve {
   std::vector<Vec2> controls;
   std::vector<Arc> arcs;               ///< its pieces
-  std::vector<std::size_t> crossings;  ///< by crease: the piece that starts at its end
+  std::vector<std::size_t> crossings;  ///< by knot: the piece that starts there
 };
 
 /// The curve through the knots, nearer and nearer to the petiole, smooth between them, and a little

@@ -1,6 +1,7 @@
 // Whether one curve gives every facet its part of the margin, from a tip down to a sinus.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "core/geometry/tolerance.h"
 #include "core/leaf/margin.h"
@@ -9,39 +10,48 @@ namespace kiri {
 namespace {
 
 constexpr int kPerPiece = 8;
+/// Lobes and sinuses must open by more than this on either side of their crease: the sine of about
+/// one degree.
+constexpr double kSlender = 0.0175;
 constexpr const char* kRemedy = "; change a length, or the angles before them";
 
 Error badMargin(std::string message) { return {ErrorCode::BadValue, std::move(message)}; }
 
-/// The knot between two pieces of the curve that lies nearest to a place, other than those of a
-/// facet's own creases.
+/// The knot that draws the curve away: the one on it nearest to piece `at`, between those of a
+/// facet's own creases. None: the nearest of all is one of these.
 const MarginKnot* culpritNear(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
-                              std::size_t facet, Vec2 place) {
+                              const MarginCurve& curve, std::size_t facet, std::size_t at) {
+  const std::size_t first = curve.crossings[half.tipOf(facet)];
+  const std::size_t last = curve.crossings[half.sinusOf(facet)];
   const MarginKnot* culprit = nullptr;
-  double best = 0;
+  std::size_t best = 0;
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (i == facet || i == facet + 1) continue;
-    const Vec2 at = polarPlace(knots[i].folded, knots[i].length);
-    const bool isOwn = distance(at, half.foldedEnd(facet)) <= kParallel ||
-                       distance(at, half.foldedEnd(facet + 1)) <= kParallel;
-    const double away = distance(at, place);
-    if (isOwn || (culprit != nullptr && away >= best)) continue;
+    const std::size_t piece = curve.crossings[i];
+    const std::size_t away = piece > at ? piece - at : at - piece;
+    if (piece <= first || piece >= last || (culprit != nullptr && away >= best)) continue;
     culprit = &knots[i];
     best = away;
   }
   return culprit;
 }
 
-Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots, std::size_t facet,
-              Vec2 flat, const std::string& what) {
+Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+              const MarginCurve& curve, std::size_t facet, std::size_t sample,
+              const std::string& what) {
   const std::string tip = "the " + half.creases()[half.tipOf(facet)].name;
   const std::string sinus = "the " + half.creases()[half.sinusOf(facet)].name;
-  const Vec2 place = flatten(half.pose(facet).apply(flat));
-  const MarginKnot* culprit = culpritNear(half, knots, facet, place);
-  const std::string near = culprit == nullptr ? "" : " near the " + culprit->name;
+  const std::size_t at = curve.crossings[half.tipOf(facet)] + sample / kPerPiece;
+  const MarginKnot* culprit = culpritNear(half, knots, curve, facet, at);
+  const std::string near = culprit == nullptr ? "" : " at " + told(*culprit);
   return badMargin("no single margin cuts " + tip + " and " + sinus +
                    " so that they end in a tip " + "and a sinus: between them it " + what + near +
                    kRemedy);
+}
+
+/// Sine of the angle, seen from the end of a crease, by which a place lies clockwise of it.
+double roomBeside(const LeafCrease& crease, Vec2 place) {
+  const Vec2 seen = place - crease.end;
+  return cross(seen, normalized(crease.end - crease.from)) / length(seen);
 }
 
 Status checkFacet(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
@@ -54,17 +64,43 @@ Status checkFacet(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
                      ": it must come nearer to the petiole from one to the next" + kRemedy);
   }
   const std::vector<Vec2> places = marginOfFacet(half, curve, facet, kPerPiece);
+  const auto roomAt = [&](std::size_t k) {
+    return std::min(roomBeside(before, places[k]), -roomBeside(behind, places[k]));
+  };
   for (std::size_t k = 1; k < places.size(); ++k) {
     if (length(places[k]) >= length(places[k - 1])) {
-      return between(half, knots, facet, places[k], "would go away from the petiole");
+      return between(half, knots, curve, facet, k, "would go away from the petiole");
     }
-    const bool isInside = cross(before.end - before.from, places[k] - before.from) < 0 &&
-                          cross(behind.end - behind.from, places[k] - behind.from) > 0;
-    if (k + 1 < places.size() && !isInside) {
-      return between(half, knots, facet, places[k], "would leave the paper between their creases");
+    if (k + 1 < places.size() && !(roomAt(k) > 0)) {
+      return between(half, knots, curve, facet, k, "would leave the paper between their creases");
     }
   }
+  for (std::size_t k = 1; k + 1 < places.size(); ++k) {
+    if (roomAt(k) >= kSlender) continue;
+    return between(half, knots, curve, facet, k, "would leave only a sliver beside a crease");
+  }
   return std::monostate{};
+}
+
+/// The curve must cross a crease, not run along it.
+Status checkAcross(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+                   const MarginCurve& curve, std::size_t i) {
+  const LeafCrease& crease = half.creases()[i];
+  const Rigid& pose = half.pose(std::min(i, half.creases().size() - 2));
+  const Vec2 along = normalized(flatten(pose.direction(crease.end - crease.from)));
+  const Vec2 way = startDirection(curve.arcs[curve.crossings[i]]);
+  if (std::abs(cross(along, way)) >= kSlender) return std::monostate{};
+  const auto apart = [&](std::size_t k) {
+    const std::size_t a = curve.crossings[k];
+    const std::size_t b = curve.crossings[i];
+    return a > b ? a - b : b - a;
+  };
+  std::size_t nearest = i;
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    if (apart(k) > 0 && (nearest == i || apart(k) < apart(nearest))) nearest = k;
+  }
+  return badMargin("the margin would run along the end of " + told(knots[i]) + " to " +
+                   told(knots[nearest]) + ", so that only a sliver of paper is cut off" + kRemedy);
 }
 
 struct Stretch {
@@ -136,6 +172,9 @@ Status checkMargin(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
                    const MarginCurve& curve) {
   for (std::size_t i = 0; i + 1 < half.creases().size(); ++i) {
     if (Status status = checkFacet(half, knots, curve, i); !status) return status;
+  }
+  for (std::size_t i = 0; i < half.creases().size(); ++i) {
+    if (Status status = checkAcross(half, knots, curve, i); !status) return status;
   }
   for (const Stretch& stretch : keptCreases(half)) {
     if (Status status = checkOnce(half, curve, stretch); !status) return status;
