@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "core/fold/hinges_along.h"
 #include "core/fold/moving_facets.h"
 #include "core/fold/rotate.h"
 #include "core/layers/divide_layers.h"
@@ -29,13 +30,15 @@ class Folding {
   Result<FoldedState> run(Movements* record) {
     noteOldHinges();
     if (const Status made = crease(); !made) return made.error();
-    if (hinges_.empty()) return missed();
+    if (hinges_.empty()) {
+      if (const Status turned = turnCreasesThere(); !turned) return turned.error();
+    }
     std::vector<FacetId> seeds;
     std::vector<FacetId> resting;
-    for (const EdgeId id : hinges_) {
-      const Edge& edge = state_.pattern[id];
-      seeds.push_back(isLeftOnMovingSide(edge) ? edge.left : edge.right);
-      resting.push_back(isLeftOnMovingSide(edge) ? edge.right : edge.left);
+    for (const Turned& turned : hinges_) {
+      const Edge& edge = state_.pattern[turned.hinge];
+      seeds.push_back(turned.leftMoves ? edge.left : edge.right);
+      resting.push_back(turned.leftMoves ? edge.right : edge.left);
     }
     const MovingSet moving = movingFacets(state_, axis_, seeds, resting);
     if (!moving.broken.empty()) return stretched(moving);
@@ -43,39 +46,87 @@ class Folding {
       const std::optional<FacetId> facet = facetAt(state_.pattern, companion);
       if (!facet || !moving.moves[facet->index]) return left(companion);
     }
+    if (turnsAsTheyAre_) addFellowHinges(moving.moves);
     ownHinges(moving.moves);
     return rotate(std::move(state_), moving.moves, axis_, record);
   }
 
  private:
+  struct Turned {
+    EdgeId hinge;
+    bool leftMoves = false;
+  };
+
   /// Existing hinges along the segment between two facets of the layers fold too, without a new
   /// crease.
   void noteOldHinges() {
-    std::vector<bool> isLayer(state_.pattern.facets.size(), false);
-    for (const FacetId f : request_.layers) isLayer[f.index] = true;
-    const double span = distance(request_.line.from, request_.line.to);
+    isLayer_.assign(state_.pattern.facets.size(), false);
+    for (const FacetId f : request_.layers) isLayer_[f.index] = true;
+    for (const EdgeId id : hingesAlong(state_, request_.line)) {
+      const Edge& edge = state_.pattern[id];
+      if (edge.angle != 0 || !isLayer_[edge.left.index] || !isLayer_[edge.right.index]) continue;
+      hinges_.push_back({id, isOnMovingSide(edge, edge.left)});
+    }
+  }
+
+  /// Where the line crosses no layer, creases that lie along it turn as they are, flat or folded:
+  /// those between a chosen facet and one that is not.
+  Status turnCreasesThere() {
+    const std::vector<EdgeId> there = hingesAlong(state_, request_.line);
+    for (const EdgeId id : there) {
+      const Edge& edge = state_.pattern[id];
+      const bool isLeftMeant = isMeant(edge.left, edge.right);
+      if (isLeftMeant == isMeant(edge.right, edge.left)) continue;
+      const FacetId meant = isLeftMeant ? edge.left : edge.right;
+      if (isOnMovingSide(edge, meant)) {
+        hinges_.push_back({id, isLeftMeant});
+      } else if (isOnMovingSide(edge, across(edge, meant))) {
+        hinges_.push_back({id, !isLeftMeant});
+      }
+    }
+    if (hinges_.empty()) return missed(there);
+    turnsAsTheyAre_ = true;
+    bent_ = bentBy(hinges_.front());
+    for (const Turned& turned : hinges_) {
+      if (std::abs(bentBy(turned) - bent_) > kSameAngle) return unlike(turned.hinge);
+    }
+    return std::monostate{};
+  }
+
+  /// Creases on the axis that paper joined to the moving side takes along, folded alike.
+  void addFellowHinges(const std::vector<bool>& moves) {
+    hinges_.clear();
     for (std::size_t e = 0; e < state_.pattern.edges.size(); ++e) {
       const Edge& edge = state_.pattern.edges[e];
-      if (edge.kind != EdgeKind::Hinge || !isLayer[edge.left.index] || !isLayer[edge.right.index])
+      if (edge.kind != EdgeKind::Hinge || moves[edge.left.index] == moves[edge.right.index])
         continue;
-      if (edge.angle != 0 || !liesOnAxis(state_, edge, axis_)) continue;
-      const Rigid& pose = state_.poseOf(edge.left);
-      const Vec3 origin = state_.poseOf(request_.line.facet).apply(request_.line.from);
-      const Vec3 along = request_.leftMoves ? axis_.axis : -axis_.axis;
-      const double s = dot(pose.apply(state_.pattern[edge.from]) - origin, along);
-      const double t = dot(pose.apply(state_.pattern[edge.to]) - origin, along);
-      const double shared = std::min(span, std::max(s, t)) - std::max(0.0, std::min(s, t));
-      if (shared > state_.tolerance().length()) hinges_.push_back(EdgeId(e));
+      const Turned turned{EdgeId(e), moves[edge.left.index]};
+      if (std::abs(bentBy(turned) - bent_) <= kSameAngle) hinges_.push_back(turned);
     }
+  }
+
+  /// A facet of the layers; where both sides of a crease are, one that was told to move.
+  bool isMeant(FacetId facet, FacetId other) const {
+    if (!isLayer_[facet.index] || !isLayer_[other.index]) return isLayer_[facet.index];
+    return std::any_of(request_.companions.begin(), request_.companions.end(),
+                       [&](Vec2 companion) { return facetAt(state_.pattern, companion) == facet; });
+  }
+
+  /// Degrees about the axis by which a hinge is folded already.
+  double bentBy(const Turned& turned) const {
+    const Edge& edge = state_.pattern[turned.hinge];
+    return edge.angle * turnSign(state_, edge, axis_, turned.leftMoves);
+  }
+
+  /// True when the facet leaves the edge towards the side of the line that moves.
+  bool isOnMovingSide(const Edge& edge, FacetId facet) const {
+    const Vec2 along = state_.pattern[edge.to] - state_.pattern[edge.from];
+    const Vec2 inward = facet == edge.left ? perpendicular(along) : -perpendicular(along);
+    return dot(movingSide(), state_.poseOf(facet).direction(normalized(inward))) > kSamePlane;
   }
 
   /// Which way from the axis the moving paper lies.
   Vec3 movingSide() const { return cross(up_, axis_.axis); }
-
-  bool isLeftOnMovingSide(const Edge& edge) const {
-    const Vec2 along = state_.pattern[edge.to] - state_.pattern[edge.from];
-    return dot(movingSide(), state_.poseOf(edge.left).direction(perpendicular(along))) > 0;
-  }
 
   Status crease() {
     const std::size_t oldEdges = state_.pattern.edges.size();
@@ -91,32 +142,65 @@ class Folding {
                          liesOnAxis(state_, edge, axis_);
       if (!isNew) continue;
       if (edge.left == edge.right) return dangling(EdgeId(e));
-      hinges_.push_back(EdgeId(e));
+      hinges_.push_back({EdgeId(e), isOnMovingSide(edge, edge.left)});
     }
     return std::monostate{};
   }
 
   /// The new fold line takes the hinges; their signs say which way its own direction turns each of
-  /// them.
+  /// them. Creases that were folded before keep the direction in which they are folded now, or were
+  /// before the fold has opened them.
   void ownHinges(const std::vector<bool>& moves) {
     const FoldLineId line(state_.lines.size());
-    const double restored = request_.degrees > 0 ? request_.degrees : 180;
-    state_.lines.push_back({request_.name, restored, request_.isValley});
-    for (const EdgeId id : hinges_) {
-      Edge& edge = state_.pattern[id];
+    double reached = bent_ + axis_.degrees;
+    if (std::abs(reached) > 180) reached += reached > 0 ? -360 : 360;
+    double restored = std::abs(reached) > kSameAngle ? reached : bent_;
+    if (restored == 0) restored = request_.isValley ? 180 : -180;
+    const bool isValley = restored > 0;
+    state_.lines.push_back({request_.name, std::abs(restored), isValley});
+    for (const Turned& turned : hinges_) {
+      Edge& edge = state_.pattern[turned.hinge];
       edge.line = line;
       edge.leftMoves = moves[edge.left.index];
       const int sign = turnSign(state_, edge, axis_, edge.leftMoves);
-      edge.sign = static_cast<std::int8_t>(request_.isValley ? sign : -sign);
+      edge.sign = static_cast<std::int8_t>(isValley ? sign : -sign);
     }
   }
 
-  Error missed() const {
-    return {ErrorCode::MissesPaper,
-            "the line from " + text(request_.line.from) + " to " + text(request_.line.to) +
-                " mm crosses none of the layers to fold; draw it across the paper, or choose the "
-                "layers under it",
-            {{}, {{request_.line.from, request_.line.to}}, {}}};
+  std::string drawn() const {
+    return "the line from " + text(request_.line.from) + " to " + text(request_.line.to) + " mm";
+  }
+
+  Error missed(const std::vector<EdgeId>& there) const {
+    Error error{ErrorCode::MissesPaper,
+                drawn() + " crosses none of the layers to fold; ",
+                {{}, {{request_.line.from, request_.line.to}}, {}}};
+    if (there.empty()) {
+      error.message += "draw it across the paper, or choose the layers under it";
+      return error;
+    }
+    const Edge& edge = state_.pattern[there.front()];
+    const bool hasName = edge.line.isValid();
+    const std::string name = hasName ? "\"" + state_.lines[edge.line.index].name + "\"" : "";
+    error.message += (hasName ? "the crease of " + name : std::string("an edge")) +
+                     " lies along it, folded by " + text(std::abs(edge.angle)) +
+                     " degrees: to turn the paper there, choose the layers on one side of that "
+                     "crease, and the side of the line on which they lie";
+    if (hasName) error.message += "; to turn all of " + name + ", set its angle";
+    return error;
+  }
+
+  Error unlike(EdgeId id) const {
+    const Edge& edge = state_.pattern[id];
+    const Vec2 a = state_.pattern[edge.from];
+    const Vec2 b = state_.pattern[edge.to];
+    return {ErrorCode::BadValue,
+            drawn() +
+                " lies along creases that are folded by different angles, such as the one "
+                "from " +
+                text(a) + " to " + text(b) +
+                " mm; choose layers that are folded alike, and fold the others after them",
+            {{a, b}, {{a, b}}, {}}};
   }
 
   Error dangling(EdgeId id) const {
@@ -179,7 +263,10 @@ class Folding {
   const FoldRequest& request_;
   Vec3 up_;
   Motion axis_;
-  std::vector<EdgeId> hinges_;
+  std::vector<bool> isLayer_;
+  std::vector<Turned> hinges_;
+  bool turnsAsTheyAre_ = false;  ///< creases that were there, and nothing is creased
+  double bent_ = 0;              ///< degrees about the axis by which all of them are folded already
 };
 
 }  // namespace

@@ -118,8 +118,9 @@ Result<FacetId> frameOf(const FoldedState& state, const DrawnLine& line) {
 }
 
 /// How far along the line, in units of it, each facet of the plane reaches; also facets that border
-/// it by a flat hinge.
-std::vector<Cover> coversOf(const FoldedState& state, const FacetLine& line) {
+/// it by a flat hinge, or by any hinge.
+enum class Bordering { FlatHinges, AllHinges };
+std::vector<Cover> coversOf(const FoldedState& state, const FacetLine& line, Bordering bordering) {
   std::vector<Cover> covers;
   const double tol = state.tolerance().length();
   for (const FacetId f : state.layers.sets()[state.layers.setOf(line.facet)].upward) {
@@ -132,7 +133,8 @@ std::vector<Cover> coversOf(const FoldedState& state, const FacetLine& line) {
     const Vec2 along = (here.to - here.from) / span;
     for (const EdgeUse use : state.pattern[f].border) {
       const Edge& edge = state.pattern[use.edge];
-      if (edge.kind != EdgeKind::Hinge || edge.angle != 0) continue;
+      if (edge.kind != EdgeKind::Hinge) continue;
+      if (edge.angle != 0 && bordering == Bordering::FlatHinges) continue;
       const Vec2 a = state.pattern[edge.from] - here.from;
       const Vec2 b = state.pattern[edge.to] - here.from;
       if (std::abs(cross(along, a)) > 2 * tol || std::abs(cross(along, b)) > 2 * tol) continue;
@@ -232,8 +234,9 @@ Result<std::vector<FacetId>> locateLayers(const FoldedState& state, const LayerC
                    {}};
     }
     std::vector<FacetId> facets;
-    for (const std::size_t i : topmost(coversOf(state, line), top->count, kParallel))
-      facets.push_back(FacetId(i));
+    std::vector<Cover> covers = coversOf(state, line, Bordering::FlatHinges);
+    if (covers.empty()) covers = coversOf(state, line, Bordering::AllHinges);
+    for (const std::size_t i : topmost(covers, top->count, kParallel)) facets.push_back(FacetId(i));
     return facets;
   }
   if (std::holds_alternative<ThroughAll>(choice)) {
