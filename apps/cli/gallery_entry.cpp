@@ -32,6 +32,13 @@ constexpr double kFilmElevation = 60;
 /// Twice as fast as films are by themselves: who leafs through a gallery has little time.
 constexpr double kFilmSpeed = 240;
 
+/// A drawing in its true size on a screen.
+GalleryPicture pictureOf(const Scene& scene, const std::string& label, const std::string& name) {
+  constexpr double kPixelsPerMm = 96 / 25.4;
+  return {label, name, static_cast<int>(std::round(scene.width * kPixelsPerMm)),
+          static_cast<int>(std::round(scene.height * kPixelsPerMm))};
+}
+
 /// Writes into one folder; the first error stays.
 class EntryWriter {
  public:
@@ -61,6 +68,9 @@ class EntryWriter {
   Status stepSheet(const Timeline& timeline, const Appearance& appearance);
   Status leaf(const Timeline& timeline, const GalleryMoments& moments,
               const Appearance& appearance);
+  /// The model with its textures beside it, whose paths become those of the copies.
+  Result<Model> withTextures();
+  Status texture(PaperSide& side, const std::string& name);
   Status models(const Timeline& timeline, const Appearance& appearance);
   Status film(const Timeline& timeline, const Appearance& appearance);
   std::size_t steps() const { return input_.model.steps.size(); }
@@ -102,10 +112,7 @@ Status EntryWriter::pictures(const Timeline& timeline, const GalleryMoments& mom
 Status EntryWriter::stepSheet(const Timeline& timeline, const Appearance& appearance) {
   const Result<Scene> sheet = sheetScene(input_.model, replayOf(timeline, steps()), appearance);
   if (!sheet) return sheet.error();
-  constexpr double kPixelsPerMm = 96 / 25.4;
-  entry_.stepSheet = {"the steps", "steps.svg",
-                      static_cast<int>(std::round(sheet->width * kPixelsPerMm)),
-                      static_cast<int>(std::round(sheet->height * kPixelsPerMm))};
+  entry_.stepSheet = pictureOf(*sheet, "the steps", "steps.svg");
   Status status = download("step sheet to print (PDF)", "steps.pdf", writePdf(*sheet));
   if (status) status = download("step sheet (SVG)", "steps.svg", writeSvg(*sheet));
   return status;
@@ -118,16 +125,31 @@ Status EntryWriter::leaf(const Timeline& timeline, const GalleryMoments& moments
   if (!measures) return std::monostate{};
   entry_.measures = galleryMeasuresOf(*measures);
   const Scene scene = galleryMeasureScene(timeline.stateAfter(steps()), *measures, appearance);
-  Result<GalleryPicture> shown =
-      picture(scene, "measured: axis, lobes and sinuses", "measured.png");
-  if (!shown) return shown.error();
-  entry_.measured = std::move(*shown);
-  return std::monostate{};
+  entry_.measured = pictureOf(scene, "measured: axis, lobes and sinuses", "measured.svg");
+  return download("measures drawn in (SVG)", "measured.svg", writeSvg(scene));
+}
+
+Result<Model> EntryWriter::withTextures() {
+  Model model = input_.model;
+  Status status = texture(model.front, "paper-front.png");
+  if (status) status = texture(model.back, "paper-back.png");
+  if (!status) return status.error();
+  return model;
+}
+
+Status EntryWriter::texture(PaperSide& side, const std::string& name) {
+  if (side.texture.empty()) return std::monostate{};
+  const Result<std::string> bytes = readFile(texturePath(input_, side.texture));
+  if (!bytes) return std::monostate{};  // appearanceFor has warned of it
+  side.texture = name;
+  return download("paper of the model (PNG)", name, *bytes);
 }
 
 Status EntryWriter::models(const Timeline& timeline, const Appearance& appearance) {
   const std::string base = entry_.folder;
-  Status status = download("model (.kiri)", base + ".kiri", writeKiri(input_.model));
+  const Result<Model> model = withTextures();
+  if (!model) return model.error();
+  Status status = download("model (.kiri)", base + ".kiri", writeKiri(*model));
   if (!status) return status;
   const Replay replay = replayOf(timeline, steps());
   const StepChoice end{steps(), 0};

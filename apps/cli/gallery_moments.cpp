@@ -61,12 +61,28 @@ Movements wayOpen(const Model& model, const Timeline& timeline, std::size_t fold
   return {};
 }
 
+/// Half of the degrees are turned; near the start or end of a movement, where the paper may lie
+/// flat, the middle of that movement.
+FoldedState midwayAlong(const Movements& way) {
+  constexpr double kNearEnds = 0.15;
+  double left = kHalf * degreesOf(way);
+  for (const Movement& movement : way) {
+    const double share = degreesOf(movement);
+    if (left > share) {
+      left -= share;
+      continue;
+    }
+    const double part = share > 0 ? left / share : kHalf;
+    return stateDuring(movement, part < kNearEnds || part > 1 - kNearEnds ? kHalf : part);
+  }
+  return stateDuring(way.back(), kHalf);
+}
+
 void findHalf(const Model& model, const Timeline& timeline, GalleryMoments& moments) {
   const Movements way = wayOpen(model, timeline, moments.folded);
   if (!way.empty()) {
     moments.halfWay = HalfWay::Unfolding;
-    // In the middle of a movement, for between two of them the paper may lie flat.
-    moments.half = stateDuring(way[(way.size() - 1) / 2], kHalf);
+    moments.half = midwayAlong(way);
     return;
   }
   for (std::size_t i = moments.folded; i-- > 0;) {

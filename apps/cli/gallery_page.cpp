@@ -188,7 +188,8 @@ std::string measuresOf(const GalleryEntryFiles& entry) {
                                htmlTag("td", "", htmlText(measure.value)));
   }
   const std::string shown =
-      figure(image("", entry.measured, entry.title + ", " + entry.measured.label),
+      figure(anchor(htmlLink(entry.measured.name),
+                    image("", entry.measured, entry.title + ", " + entry.measured.label)),
              htmlText(capitalised(entry.measured.label)));
   return htmlTag("h2", "", "Measures") + "\n" +
          htmlTag("div", " class=\"leaf\"", "\n" + shown + htmlTag("table", "", rows)) + "\n";

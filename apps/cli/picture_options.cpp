@@ -29,7 +29,7 @@ Result<std::optional<Color>> backgroundOf(const PictureOptions& options) {
 std::shared_ptr<const Image> textureOf(Console& console, const ModelInput& input,
                                        const std::string& texture) {
   if (texture.empty()) return nullptr;
-  const std::string path = texture.front() == '/' ? texture : input.folder + texture;
+  const std::string path = texturePath(input, texture);
   const Result<std::string> bytes = readFile(path);
   if (!bytes.isOk()) {
     warn(console, input.name + ": paper: the texture is left out: " + bytes.error().message);
@@ -45,6 +45,10 @@ std::shared_ptr<const Image> textureOf(Console& console, const ModelInput& input
 }
 
 }  // namespace
+
+std::string texturePath(const ModelInput& input, const std::string& texture) {
+  return texture.front() == '/' ? texture : input.folder + texture;
+}
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
   command.add_option("-o,--output", options.out, "file to write, - for standard output")

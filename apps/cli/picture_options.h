@@ -24,6 +24,9 @@ struct PictureOptions {
 /// Declares -o, --format, --dpi, --style, --no-creases and --background.
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
+/// The file of a texture that the model names.
+std::string texturePath(const ModelInput& input, const std::string& texture);
+
 /// How paper and lines shall look; reads the textures that the model names. A texture that cannot
 /// be read is a warning, the paper has its plain colour then. Errors: BadValue - a background that
 /// is no colour.

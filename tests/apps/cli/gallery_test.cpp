@@ -171,6 +171,23 @@ TEST_F(GalleryCommand, WordsAndNamesOfAnyKindStayWhatTheyAre) {
   EXPECT_TRUE(contains(get("out/plain/index.html"), "<h1>plain</h1>"));
 }
 
+TEST_F(GalleryCommand, ADownloadedModelBringsItsTextures) {
+  std::string text = foldedModel("Patterned");
+  text.insert(text.find("\"steps\""), R"("paper": {"back": {"texture": "in/back.png"}}, )");
+  put("models/m.kiri", text);
+  fs::create_directory(path("models/in"));
+  // The name that a texture has is that of a picture of the gallery.
+  fs::copy_file(KIRI_SOURCE_DIR "/examples/frog.png", path("models/in/back.png"));
+  const Answer answer = gallery();
+  ASSERT_EQ(answer.code, kDone) << answer.err;
+  EXPECT_EQ(test::joined(htmlMistakes(path("out"))), "");
+  const Answer again = runKiri({"render", path("out/m/m.kiri"), "-o", path("again.png")});
+  EXPECT_EQ(again.code, kDone);
+  EXPECT_EQ(again.err, "") << "the texture is found";
+  ASSERT_EQ(runKiri({"render", path("models/m.kiri"), "-o", path("first.png")}).code, kDone);
+  EXPECT_TRUE(get("again.png") == get("first.png"));
+}
+
 TEST_F(GalleryCommand, AModelThatDoesNotApplyIsNamedAndTheOthersAreShown) {
   putGallery();
   put("models/a.kiri", brokenModel());
@@ -315,7 +332,7 @@ TEST_F(GalleryCommand, OfALeafTheMeasuresAreShownAndOfNothingElse) {
   EXPECT_EQ(test::joined(htmlMistakes(path("out"))), "");
   const std::string leaf = get("out/leaf_three_lobes/index.html");
   EXPECT_TRUE(contains(leaf, "<th scope=\"row\">lobes</th><td>3</td>")) << leaf;
-  EXPECT_TRUE(contains(leaf, "\"measured.png\""));
+  EXPECT_TRUE(contains(leaf, "\"measured.svg\""));
   EXPECT_TRUE(contains(leaf, "Finished and unfolded, front"));
   EXPECT_TRUE(contains(leaf, "\"folded.png\""));
   EXPECT_FALSE(contains(get("out/origami_cat/index.html"), "Measures"));
