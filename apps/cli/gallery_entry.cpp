@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/gallery_entry.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -74,7 +73,6 @@ class EntryWriter {
   Status texture(PaperSide& side, const std::string& name);
   Status models(const Timeline& timeline, const Appearance& appearance);
   Status film(const Timeline& timeline, const Appearance& appearance);
-  Status textures();
   std::size_t steps() const { return input_.model.steps.size(); }
   Progress progress() {
     return [this](double) { return !isCancelled(console_); };
@@ -180,22 +178,6 @@ Status EntryWriter::film(const Timeline& timeline, const Appearance& appearance)
   return shootInto(*film, output, progress());
 }
 
-/// The model that is there to download names its textures; those beside it come with it.
-Status EntryWriter::textures() {
-  const std::string& front = input_.model.front.texture;
-  const std::string& back = input_.model.back.texture;
-  Status status = std::monostate{};
-  for (const std::string& name : {front, back == front ? std::string() : back}) {
-    const bool isTaken =
-        std::any_of(entry_.pictures.begin(), entry_.pictures.end(),
-                    [&](const GalleryPicture& shown) { return shown.name == name; });
-    if (!status || name.empty() || name.find('/') != std::string::npos || isTaken) continue;
-    const Result<std::string> bytes = readFile(input_.folder + name);
-    if (bytes) status = download("texture of the paper", name, *bytes);
-  }
-  return status;
-}
-
 Status EntryWriter::write(const Timeline& timeline, const Appearance& appearance) {
   const std::string folder = options_.out + "/" + entry_.folder;
   std::error_code error;
@@ -210,7 +192,6 @@ Status EntryWriter::write(const Timeline& timeline, const Appearance& appearance
   if (status) status = stepSheet(timeline, appearance);
   if (status) status = leaf(timeline, moments, appearance);
   if (status) status = models(timeline, appearance);
-  if (status) status = textures();
   if (status && options_.hasAnimations) status = film(timeline, appearance);
   return status;
 }
