@@ -209,10 +209,13 @@ bool PathChecker::areHullsApart(const Pair& pair, double from, double to) {
   const std::size_t posed = posed_;
   looks_ = 0;
   shapes_ = &hulls_;
-  look(pair, from, to, 0);
+  Vec3 place;
+  // Of hulls that cross already nothing is told: that was found before, and forgotten.
+  const bool areCrossing = depthAt(pair, from, place) > start_.tolerance().match();
+  if (!areCrossing) look(pair, from, to, 0);
   shapes_ = &pieces_;
   const auto partOf = [](const std::optional<Meeting>& m) { return m ? m->part : HUGE_VAL; };
-  const bool isApart = !doubtful_ && partOf(certain_) == partOf(certain);
+  const bool isApart = !areCrossing && !doubtful_ && partOf(certain_) == partOf(certain);
   doubtful_ = doubtful;
   if (isApart) return true;
   certain_ = certain;

@@ -197,6 +197,21 @@ TEST(CheckPath, ALayerThatSlipsThroughAnotherInTheFlatStateIsNotFree) {
   EXPECT_NE(report.verdict, SweepVerdict::Free);
 }
 
+TEST(CheckPath, AStripPassesThroughANotchOfWhatStandsInItsWay) {
+  // The strip's hull meets the post's; the paper does not.
+  const std::string folds =
+      "; fold Post valley 90 80,0 80,20 right; fold Flap valley 1 50,0 50,20 left";
+  const auto verdictOf = [&](const std::string& notch) {
+    const FoldedState start =
+        run("polygon 0,9 25,9 25,0 130,0 " + notch + "130,20 25,20 25,11 0,11" + folds);
+    const PosesAt motion = straightTo(start, anglesWith(start, "Flap", 140));
+    return checkPath(start, motion, evenMoments(45)).verdict;
+  };
+  EXPECT_EQ(verdictOf("130,8 95,8 95,12 130,12 "), SweepVerdict::Free);
+  EXPECT_EQ(verdictOf("130,8 110,8 110,12 130,12 "), SweepVerdict::Collides) << "not so deep";
+  EXPECT_EQ(verdictOf(""), SweepVerdict::Collides);
+}
+
 TEST(CheckPath, StopsWhenItIsTold) {
   const FoldedState start = letter();
   int calls = 0;
