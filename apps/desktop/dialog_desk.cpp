@@ -3,10 +3,11 @@
 #include "apps/desktop/dialog_desk.h"
 
 #include <QApplication>
-#include <QFileInfo>
+#include <QDockWidget>
 #include <QMainWindow>
 #include <QPointer>
 #include <QStatusBar>
+#include <QToolBar>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -29,6 +30,13 @@
 #include "io/kiri_reader.h"
 
 namespace kiri::desktop {
+
+namespace {
+
+/// Words for a menu, where a single & would mark a key.
+QString plain(QString words) { return words.replace('&', "&&"); }
+
+}  // namespace
 
 DialogDesk::DialogDesk(QMainWindow& window, SessionHub& hub, Settings& settings, Actions& actions,
                        FileDesk& files, ModelView& view)
@@ -133,8 +141,26 @@ ExportSource DialogDesk::source() const {
 }
 
 void DialogDesk::showStartPage(bool isShown) {
+  if (isShown == isStartPageShown()) return;
+  if (isShown) {
+    layout_ = window_.saveState();
+    hidePanels();
+  }
   stack_->setCurrentIndex(isShown ? 1 : 0);
+  if (!isShown) window_.restoreState(std::exchange(layout_, {}));
   if (isShown) start_->setFocus();
+}
+
+/// Tools and panels have nothing to work on while the start page is there.
+void DialogDesk::hidePanels() {
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) dock->hide();
+  for (QToolBar* bar : window_.findChildren<QToolBar*>()) {
+    if (bar->objectName() == "tools") bar->hide();
+  }
+}
+
+QByteArray DialogDesk::windowLayout() const {
+  return isStartPageShown() ? layout_ : window_.saveState();
 }
 
 void DialogDesk::askSheet() {
@@ -190,10 +216,14 @@ void DialogDesk::openExample(const QString& path) {
 
 void DialogDesk::fillExamples(QMenu& menu) {
   menu.clear();
-  for (const QString& path : modelsIn(examplesFolder())) {
-    QString name = QFileInfo(path).completeBaseName().replace('_', ' ');
-    name[0] = name[0].toUpper();
-    menu.addAction(name, this, [this, path] { openExample(path); });
+  for (const ExampleGroup& group : exampleGroups()) {
+    QMenu* inside = group.title.isEmpty() ? &menu : menu.addMenu(plain(group.title));
+    for (const QString& path : group.models) {
+      const ModelCard card = start_->cards().card(path);
+      QAction* action =
+          inside->addAction(plain(card.title), this, [this, path] { openExample(path); });
+      action->setStatusTip(card.figure);
+    }
   }
   menu.setEnabled(!menu.isEmpty());
 }

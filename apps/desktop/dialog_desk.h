@@ -38,6 +38,9 @@ class DialogDesk final : public QObject {
   void closing() { autosave_.finish(); }
   void showStartPage(bool isShown);
   bool isStartPageShown() const { return stack_->currentWidget() == start_; }
+  /// Where panels and bars are while a model is being worked on, as QMainWindow::saveState.
+  QByteArray windowLayout() const;
+  StartPage& startPage() { return *start_; }
   void fillExamples(QMenu& menu);
   TourCard& tour() { return *tour_; }
 
@@ -53,6 +56,7 @@ class DialogDesk final : public QObject {
   void askPreferences(bool showsKeys);
   void openExample(const QString& path);
   void beginTour();
+  void hidePanels();
   void offerLeftovers();
   ExportSource source() const;
 
@@ -67,6 +71,7 @@ class DialogDesk final : public QObject {
   StartPage* start_ = nullptr;
   TourCard* tour_ = nullptr;
   bool isTourWanted_ = false;
+  QByteArray layout_;  ///< of the window before the start page was shown
 };
 
 }  // namespace kiri::desktop

@@ -181,7 +181,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   dialogs_->closing();
   settings_.setLayout("window-geometry", saveGeometry());
-  settings_.setLayout("window-state", saveState());
+  settings_.setLayout("window-state", dialogs_->windowLayout());
   settings_.setLayout("window-panes", splitter_->saveState());
   event->accept();
 }

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/paper/boxes.h"
 #include "render/canvas/rasterise.h"
 #include "render/scene/model_scene.h"
+#include "render/scene/pattern_scene.h"
 
 namespace kiri {
 namespace {
@@ -66,33 +68,63 @@ void spareInk(Scene& scene) {
 
 Error cancelled() { return {ErrorCode::Cancelled, "the picture was stopped", {}}; }
 
-}  // namespace
-
-Result<Image> thumbnailOf(const FoldedState& state, Appearance appearance, int pixels,
-                          double density, const Progress& progress) {
-  if (!goesOn(progress, 0)) return cancelled();
-  const ModelBox space = modelBoxOf(state);
+/// The model in a box of the view.
+Result<Image> draw(const FoldedState& state, Appearance appearance, const ViewSpec& view,
+                   const Box& box, int pixels, double density, const Progress& progress) {
   ModelSceneOptions options;
-  options.box = Box{flatten(space.low), flatten(space.high)};
+  options.box = box;
   options.margin = kMargin;
   options.progress = progress;
-  const Vec2 size = options.box->high - options.box->low;
+  const Vec2 size = box.high - box.low;
   const double room = std::max(1.0, pixels / density - 2 * kMargin);
   options.scale = room / std::max(size.x, size.y);
   appearance.isShaded = true;
   appearance.edgeWidth = kEdge;
   appearance.creaseWidth = kCrease;
-  Result<Scene> scene = modelScene(state, appearance, frontSpec(), options);
+  Result<Scene> scene = modelScene(state, appearance, view, options);
   if (!scene) return scene.error();
   if (!goesOn(progress, 0.5)) return cancelled();
   spareInk(*scene);
   return rasteriseTransparent(*scene, pixels, pixels);
 }
 
+}  // namespace
+
+Result<Image> thumbnailOf(const FoldedState& state, Appearance appearance, int pixels,
+                          double density, const Progress& progress) {
+  if (!goesOn(progress, 0)) return cancelled();
+  const ModelBox space = modelBoxOf(state);
+  const Box box{flatten(space.low), flatten(space.high)};
+  return draw(state, std::move(appearance), frontSpec(), box, pixels, density, progress);
+}
+
+Result<Image> thumbnailOf(const FoldedState& state, Appearance appearance, const ViewSpec& view,
+                          int pixels, double density, const Progress& progress) {
+  if (!goesOn(progress, 0)) return cancelled();
+  const Result<Box> box = pictureBox(state, view);
+  if (!box) return box.error();
+  return draw(state, std::move(appearance), view, *box, pixels, density, progress);
+}
+
 Result<Image> thumbnailOf(const FoldedState& state, const Model& model, int pixels,
                           const Progress& progress) {
   const double density = std::max(1.0, pixels / kUsual);
   return thumbnailOf(state, appearanceOf(model), pixels, density, progress);
+}
+
+Result<Image> patternThumbnail(const FoldedState& state, Appearance appearance, int pixels,
+                               double density) {
+  PatternSceneOptions options;
+  options.margin = 0;
+  const Scene plain = patternScene(state, appearance, options);
+  options.margin = kMargin;
+  const double room = std::max(1.0, pixels / density - 2 * kMargin);
+  options.scale = room / std::max(plain.width, plain.height);
+  appearance.edgeWidth = kEdge;
+  appearance.creaseWidth = kCrease;
+  Scene scene = patternScene(state, appearance, options);
+  spareInk(scene);
+  return rasteriseTransparent(scene, pixels, pixels);
 }
 
 }  // namespace kiri

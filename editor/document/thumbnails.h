@@ -8,6 +8,7 @@
 #include "core/paper/folded_state.h"
 #include "render/scene/appearance.h"
 #include "render/scene/image.h"
+#include "render/scene/view_spec.h"
 
 namespace kiri {
 
@@ -22,5 +23,13 @@ Result<Image> thumbnailOf(const FoldedState& state, const Model& model, int pixe
 /// of the toolkit; lines are so many pixels wide.
 Result<Image> thumbnailOf(const FoldedState& state, Appearance appearance, int pixels,
                           double density = 1, const Progress& progress = {});
+
+/// The same from another side, in the middle of the picture. Errors: those of checkViewSpec too.
+Result<Image> thumbnailOf(const FoldedState& state, Appearance appearance, const ViewSpec& view,
+                          int pixels, double density, const Progress& progress = {});
+
+/// The unfolded sheet with its creases.
+Result<Image> patternThumbnail(const FoldedState& state, Appearance appearance, int pixels,
+                               double density = 1);
 
 }  // namespace kiri

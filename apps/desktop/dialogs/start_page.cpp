@@ -2,35 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/dialogs/start_page.h"
 
-#include <QDateTime>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QMap>
-#include <QPointer>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
+#include "apps/desktop/dialogs/card_delegate.h"
 #include "apps/desktop/dialogs/form.h"
 #include "apps/desktop/dialogs/sheet_dialog.h"
 #include "apps/desktop/look/convert.h"
 #include "apps/desktop/look/icons.h"
-#include "apps/desktop/services/gallery.h"
 
 namespace kiri::desktop {
 
 namespace {
 
-constexpr int kCardPicture = 132;
-constexpr QSize kCard(164, 178);
-
-/// A file as it is now: another time of change is another picture.
-QString keyOf(const QString& path) {
-  return path + QFileInfo(path).lastModified().toString(Qt::ISODateWithMs);
-}
+constexpr int kRoomForPreview = 840;  // of the page's width; narrower ones show cards only
+constexpr int kMargin = 32;
 
 QPushButton* bigButton(const QString& iconName, const QString& text, bool isFirst) {
   auto* button = new QPushButton(icon(iconName), text);
@@ -44,45 +35,69 @@ QPushButton* bigButton(const QString& iconName, const QString& text, bool isFirs
 
 }  // namespace
 
-struct StartPage::Pictures {
-  QMap<QString, ModelCard> made;
-};
-
 StartPage::StartPage(TaskRunner& runner, Settings& settings, QWidget* parent)
     : QWidget(parent),
-      runner_(runner),
       settings_(settings),
-      pictures_(std::make_shared<Pictures>()) {
+      cards_(new ModelCards(runner, this)),
+      area_(new QScrollArea),
+      gallery_(new GalleryPart(*cards_)),
+      preview_(new ModelPreview(*cards_, runner)) {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(40, 32, 40, 32);
-  column->setSpacing(28);
+  column->setContentsMargins(kMargin, 28, kMargin, 28);
+  column->setSpacing(24);
   column->addWidget(makeHead());
   column->addWidget(makeSheets());
-  recentPart_ = makeGallery(tr("Recent"), recent_);
-  column->addWidget(recentPart_);
-  examplesPart_ = makeGallery(tr("Examples"), examples_);
-  column->addWidget(examplesPart_);
+  column->addWidget(makeRecent());
+  column->addWidget(gallery_);
   column->addStretch();
-  auto* area = new QScrollArea;
-  area->setWidget(page);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  auto* layout = new QVBoxLayout(this);
+  area_->setWidget(page);
+  area_->setWidgetResizable(true);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(area);
-  connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-    emit fileChosen(item->data(Qt::UserRole).toString());
+  layout->setSpacing(0);
+  layout->addWidget(area_, 1);
+  layout->addWidget(preview_);
+  connectParts();
+}
+
+StartPage::~StartPage() = default;
+
+void StartPage::connectParts() {
+  connect(recent_, &CardList::looked, preview_, &ModelPreview::show);
+  connect(gallery_, &GalleryPart::looked, preview_, &ModelPreview::show);
+  connect(recent_, &CardList::chosen, this, &StartPage::fileChosen);
+  connect(gallery_, &GalleryPart::chosen, this, &StartPage::exampleChosen);
+  connect(preview_, &ModelPreview::chosen, this, &StartPage::open);
+  // The page scrolls so that what the keyboard has reached is seen.
+  const auto reach = [this](QWidget* list, const QRect& card) {
+    const QPoint middle = list->mapTo(area_->widget(), card.center());
+    area_->ensureVisible(middle.x(), middle.y(), 0, card.height());
+  };
+  connect(gallery_, &GalleryPart::reached, this, reach);
+  connect(recent_, &CardList::reached, this,
+          [this, reach](const QRect& card) { reach(recent_, card); });
+  connect(recent_, &CardList::left, this, [this](int direction, int) {
+    if (direction > 0) gallery_->search().setFocus(Qt::TabFocusReason);
   });
-  connect(examples_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-    emit exampleChosen(item->data(Qt::UserRole).toString());
+  auto* find = new QShortcut(QKeySequence::Find, this);
+  find->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(find, &QShortcut::activated, this, [this] {
+    gallery_->search().setFocus(Qt::ShortcutFocusReason);
+    gallery_->search().selectAll();
+    area_->ensureWidgetVisible(&gallery_->search());
   });
   connect(&settings_, &Settings::recentFilesChanged, this, [this] {
     if (isVisible()) refresh();
   });
 }
 
-StartPage::~StartPage() = default;
+void StartPage::open(const QString& path) {
+  if (gallery_->paths().contains(path)) return emit exampleChosen(path);
+  emit fileChosen(path);
+}
 
 QWidget* StartPage::makeHead() {
   constexpr int kIcon = 72;
@@ -127,7 +142,7 @@ QWidget* StartPage::makeSheets() {
     button->setIconSize({40, 40});
     button->setText(text);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    button->setMinimumSize(112, 100);
+    button->setMinimumSize(100, 100);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     row->addWidget(button);
     return button;
@@ -142,104 +157,39 @@ QWidget* StartPage::makeSheets() {
   return part;
 }
 
-QWidget* StartPage::makeGallery(const QString& title, QListWidget*& list) {
-  auto* part = new QWidget;
-  auto* column = new QVBoxLayout(part);
+QWidget* StartPage::makeRecent() {
+  recentPart_ = new QWidget;
+  auto* column = new QVBoxLayout(recentPart_);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
-  column->addWidget(headline(title));
-  list = new QListWidget;
-  list->setAccessibleName(title);
-  list->setViewMode(QListView::IconMode);
-  list->setIconSize({kCardPicture, kCardPicture});
-  list->setGridSize(kCard);
-  list->setMovement(QListView::Static);
-  list->setResizeMode(QListView::Adjust);
-  list->setWordWrap(true);
-  list->setTextElideMode(Qt::ElideRight);
-  list->setFrameShape(QFrame::NoFrame);
-  list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list->viewport()->setAutoFillBackground(false);
-  // One click is enough, as with all buttons of the page; keys work as in any list.
-  connect(list, &QListWidget::itemClicked, list, &QListWidget::itemActivated);
-  column->addWidget(list);
-  return part;
+  column->addWidget(headline(tr("Recent")));
+  recent_ = new CardList(*cards_, tr("Recent"));
+  column->addWidget(recent_);
+  return recentPart_;
 }
 
 void StartPage::refresh() {
-  fill(*recent_, settings_.recentFiles());
-  fill(*examples_, modelsIn(examplesFolder()));
-  recentPart_->setVisible(recent_->count() > 0);
-  examplesPart_->setVisible(examples_->count() > 0);
-  fitHeights();
-}
-
-void StartPage::fill(QListWidget& list, const QStringList& paths) {
-  QStringList shown;
-  for (int i = 0; i < list.count(); ++i) shown.append(list.item(i)->data(Qt::UserRole).toString());
-  if (shown != paths) {
-    list.clear();
-    for (const QString& path : paths) {
-      auto* item = new QListWidgetItem(QFileInfo(path).completeBaseName().replace('_', ' '), &list);
-      item->setData(Qt::UserRole, path);
-      item->setToolTip(path);
-      item->setSizeHint(kCard);
-      QPixmap empty(kCardPicture, kCardPicture);
-      empty.fill(Qt::transparent);
-      item->setIcon(QIcon(empty));
-    }
-  }
-  for (int i = 0; i < list.count(); ++i)
-    askPicture(*list.item(i), list.item(i)->data(Qt::UserRole).toString());
-}
-
-void StartPage::askPicture(QListWidgetItem& item, const QString& path) {
-  const QString key = keyOf(path);
-  const auto show = [](QListWidgetItem& shown, const ModelCard& card) {
-    shown.setText(card.title);
-    if (!card.picture.isNull()) shown.setIcon(QIcon(QPixmap::fromImage(card.picture)));
-  };
-  const auto found = pictures_->made.constFind(key);
-  if (found != pictures_->made.constEnd()) {
-    show(item, *found);
-    return;
-  }
-  const double ratio = devicePixelRatioF();
-  auto card = std::make_shared<ModelCard>();
-  runner_.start({{},
-                 [path, card, pixels = static_cast<int>(kCardPicture * ratio),
-                  alive = std::weak_ptr<Pictures>(pictures_)](const Progress& progress) {
-                   if (alive.expired()) return;
-                   *card = cardOf(path, pixels, [&](double done) {
-                     return !alive.expired() && goesOn(progress, done);
-                   });
-                 },
-                 [page = QPointer<StartPage>(this), path, key, card, ratio, show] {
-                   if (!page) return;
-                   card->picture.setDevicePixelRatio(ratio);
-                   page->pictures_->made.insert(key, *card);
-                   for (QListWidget* list : {page->recent_, page->examples_}) {
-                     for (int i = 0; i < list->count(); ++i) {
-                       if (list->item(i)->data(Qt::UserRole).toString() == path)
-                         show(*list->item(i), *card);
-                     }
-                   }
-                 }});
-}
-
-/// The lists are as high as what they show: the page scrolls, not the lists.
-void StartPage::fitHeights() {
-  for (QListWidget* list : {recent_, examples_}) {
-    const int columns = std::max(1, list->viewport()->width() / kCard.width());
-    const int rows = (list->count() + columns - 1) / columns;
-    list->setFixedHeight(std::max(1, rows) * kCard.height() + 4);
-  }
+  const QStringList recent = settings_.recentFiles();
+  recent_->show(recent);
+  recentPart_->setVisible(!recent.isEmpty());
+  gallery_->show(exampleGroups());
+  const QStringList examples = gallery_->paths();
+  gallery_->setVisible(!examples.isEmpty());
+  fit();
+  cards_->want(recent + examples, static_cast<int>(CardDelegate::kPicture * devicePixelRatioF()));
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitHeights();
+  fit();
+}
+
+/// Notes are beside the cards where there is room, else beside the pointer.
+void StartPage::fit() {
+  const bool hasPreview = width() >= kRoomForPreview;
+  preview_->setVisible(hasPreview);
+  recent_->setTips(!hasPreview);
+  for (CardList* list : gallery_->lists()) list->setTips(!hasPreview);
 }
 
 void StartPage::keyPressEvent(QKeyEvent* event) {

@@ -4,19 +4,22 @@
 
 #include <QFrame>
 #include <QLabel>
-#include <QListWidget>
 #include <QScrollArea>
 #include <QWidget>
-#include <memory>
 
+#include "apps/desktop/dialogs/card_list.h"
+#include "apps/desktop/dialogs/gallery_part.h"
+#include "apps/desktop/dialogs/model_preview.h"
+#include "apps/desktop/services/model_cards.h"
 #include "apps/desktop/services/settings.h"
 #include "core/model/model.h"
 #include "editor/base/task.h"
 
 namespace kiri::desktop {
 
-/// A page for the middle of the window (a QStackedWidget beside the panes). Pictures of recent
-/// files and examples are made beside the window and kept; show() looks for what is new.
+/// A page for the middle of the window (a QStackedWidget beside the panes). Cards of recent files
+/// and examples are made beside the window and kept; show() looks for what is new. Where there is
+/// room, more of the card under the pointer or the keyboard is shown beside them.
 class StartPage final : public QWidget {
   Q_OBJECT
  public:
@@ -25,6 +28,9 @@ class StartPage final : public QWidget {
 
   /// Looks again at the recent files and the examples.
   void refresh();
+  const ModelCards& cards() const { return *cards_; }
+  GalleryPart& gallery() { return *gallery_; }
+  ModelPreview& preview() { return *preview_; }
 
  signals:
   void modelChosen(const kiri::Model& model);  ///< a sheet without steps
@@ -38,24 +44,23 @@ class StartPage final : public QWidget {
  protected:
   void showEvent(QShowEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeHead();
   QWidget* makeSheets();
-  QWidget* makeGallery(const QString& title, QListWidget*& list);
-  void fill(QListWidget& list, const QStringList& paths);
-  void askPicture(QListWidgetItem& item, const QString& path);
-  void fitHeights();
-  void resizeEvent(QResizeEvent* event) override;
+  QWidget* makeRecent();
+  void connectParts();
+  void open(const QString& path);
+  void fit();
 
-  struct Pictures;
-  TaskRunner& runner_;
   Settings& settings_;
-  std::shared_ptr<Pictures> pictures_;  ///< by path and time of the last change
-  QListWidget* recent_ = nullptr;
+  ModelCards* cards_;
+  QScrollArea* area_;
+  CardList* recent_ = nullptr;
   QWidget* recentPart_ = nullptr;
-  QListWidget* examples_ = nullptr;
-  QWidget* examplesPart_ = nullptr;
+  GalleryPart* gallery_;
+  ModelPreview* preview_;
 };
 
 }  // namespace kiri::desktop

@@ -31,6 +31,7 @@ QLabel[faint="true"] { color: $faint$; }
 QLabel[fault="true"] { color: $fault$; }
 QLabel[warning="true"] { color: $warning$; }
 QFrame#fieldBar { border-bottom: 1px solid $line$; }
+QFrame#preview { border-left: 1px solid $line$; }
 QFrame#caption { border-top: 1px solid $line$; }
 QFrame#player { border-top: 1px solid $line$; }
 QToolButton[segment="true"] { border: 1px solid $line$; border-radius: 0; padding: 3px 9px; }

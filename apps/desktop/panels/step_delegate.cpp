@@ -4,9 +4,9 @@
 
 #include <QPainter>
 #include <QPixmap>
-#include <QTextLayout>
 
 #include "apps/desktop/look/icons.h"
+#include "apps/desktop/look/painted_words.h"
 #include "apps/desktop/look/theme.h"
 #include "apps/desktop/panels/steps_model.h"
 
@@ -16,35 +16,14 @@ namespace {
 constexpr int kWidth = 104;
 constexpr int kMargin = 3;
 constexpr int kPadding = 6;
+constexpr int kLines = 2;
 constexpr int kStepSign = 16;  // of a step that does not apply
-
-/// Two lines at most, the second cut short where it must be.
-void paintWords(QPainter& painter, const QRectF& box, const QString& text) {
-  QTextLayout layout(text, painter.font());
-  QTextOption option(Qt::AlignHCenter);
-  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-  layout.setTextOption(option);
-  layout.beginLayout();
-  double y = 0;
-  for (int row = 0; row < 2; ++row) {
-    QTextLine line = layout.createLine();
-    if (!line.isValid()) break;
-    line.setLineWidth(box.width());
-    const QFontMetricsF metrics(painter.font());
-    QString words = text.mid(line.textStart(), row == 0 ? line.textLength() : -1).trimmed();
-    words = metrics.elidedText(words, Qt::ElideRight, box.width());
-    painter.drawText(QRectF(box.left(), box.top() + y, box.width(), line.height()),
-                     Qt::AlignHCenter | Qt::AlignVCenter, words);
-    y += line.height();
-  }
-  layout.endLayout();
-}
 
 }  // namespace
 
 QSize StepDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
   const int line = option.fontMetrics.height();
-  return {kWidth + 2 * kMargin, kPicture + 2 * line + 3 * kPadding + 2 * kMargin};
+  return {kWidth + 2 * kMargin, kPicture + kLines * line + 3 * kPadding + 2 * kMargin};
 }
 
 void StepDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -77,7 +56,7 @@ void StepDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   const QRectF words = card.adjusted(kPadding, kPicture + 2 * kPadding, -kPadding, -kPadding / 2.0);
   painter->setPen(problem.isEmpty() ? (isCurrent ? t.text : t.faintText) : t.fault);
-  paintWords(*painter, words, index.data().toString());
+  paintWords(*painter, words, index.data().toString(), kLines);
   painter->setOpacity(1);
   if (!problem.isEmpty()) {
     const QRect sign(static_cast<int>(card.right()) - kStepSign - 4,

@@ -1106,6 +1106,49 @@
     </message>
 </context>
 <context>
+    <name>examples/gallery</name>
+    <message>
+        <source>How leaves are made</source>
+        <translation>Wie Blätter entstehen</translation>
+    </message>
+    <message>
+        <source>The sheet is folded along veins and anti-veins, as a leaf is in its bud; one cut through all layers, and it is unfolded.</source>
+        <translation>Das Papier wird an Adern und Gegenadern gefaltet wie ein Blatt in seiner Knospe; ein Schnitt durch alle Lagen, und es wird entfaltet.</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Blätter</translation>
+    </message>
+    <message>
+        <source>Real leaves, from the measured angles and lengths of their veins; the margin is one curve, cut through all layers.</source>
+        <translation>Wirkliche Blätter nach gemessenen Winkeln und Längen ihrer Adern; der Rand ist eine einzige Kurve, durch alle Lagen geschnitten.</translation>
+    </message>
+    <message>
+        <source>Origami</source>
+        <translation>Origami</translation>
+    </message>
+    <message>
+        <source>Traditional models, folded step by step; where many creases would have to close at once, paper is torn and the step says so.</source>
+        <translation>Überlieferte Modelle, Schritt für Schritt gefaltet; wo sich viele Falten zugleich schließen müssten, wird gerissen, und der Schritt sagt es.</translation>
+    </message>
+    <message>
+        <source>Kirigami</source>
+        <translation>Kirigami</translation>
+    </message>
+    <message>
+        <source>Folded, cut through all layers with straight cuts and curves, and unfolded.</source>
+        <translation>Gefaltet, mit geraden Schnitten und Kurven durch alle Lagen geschnitten und entfaltet.</translation>
+    </message>
+    <message>
+        <source>Crease patterns</source>
+        <translation>Faltmuster</translation>
+    </message>
+    <message>
+        <source>Patterns drawn from their geometry and folded as a whole.</source>
+        <translation>Muster, aus ihrer Geometrie gezeichnet und als Ganzes gefaltet.</translation>
+    </message>
+</context>
+<context>
     <name>kiri::desktop</name>
     <message>
         <source>Take a new sheet of paper</source>
@@ -2325,6 +2368,21 @@
     </message>
 </context>
 <context>
+    <name>kiri::desktop::GalleryPart</name>
+    <message>
+        <source>No example has these words.</source>
+        <translation>Kein Beispiel enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Search the examples</source>
+        <translation>Beispiele durchsuchen</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+</context>
+<context>
     <name>kiri::desktop::MainWindow</name>
     <message>
         <source>Saved as %1</source>
@@ -2337,6 +2395,45 @@
     <message>
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>kiri::desktop::ModelPreview</name>
+    <message>
+        <source>folded</source>
+        <translation>gefaltet</translation>
+    </message>
+    <message>
+        <source>half unfolded</source>
+        <translation>halb entfaltet</translation>
+    </message>
+    <message>
+        <source>half folded</source>
+        <translation>halb gefaltet</translation>
+    </message>
+    <message>
+        <source>unfolded</source>
+        <translation>entfaltet</translation>
+    </message>
+    <message>
+        <source>Point at a model to see more of it.</source>
+        <translation>Zeigen Sie auf ein Modell, um mehr davon zu sehen.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>More about the model</source>
+        <translation>Mehr über das Modell</translation>
+    </message>
+    <message>
+        <source>1 step</source>
+        <translation>1 Schritt</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
     </message>
 </context>
 <context>
@@ -3008,10 +3105,6 @@
     <message>
         <source>Recent</source>
         <translation>Zuletzt benutzt</translation>
-    </message>
-    <message>
-        <source>Examples</source>
-        <translation>Beispiele</translation>
     </message>
     <message>
         <source>Fold, tear and cut a sheet of paper.</source>

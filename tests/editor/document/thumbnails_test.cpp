@@ -100,5 +100,35 @@ TEST(Thumbnail, CanBeStopped) {
   EXPECT_EQ(thumbnailOf(startOf(model), model, 0).error().code, ErrorCode::BadValue);
 }
 
+TEST(Thumbnail, FromTheSideShowsWhatStandsUp) {
+  const Model model = twoColoured("square 100");
+  const FoldedState state = run("square 100; fold valley 90 50,0 50,100 left");
+  const Appearance appearance = appearanceOf(model);
+  const Image front = thumbnailOf(state, appearance, 96).value();
+  const Image side = thumbnailOf(state, appearance, ViewSpec{-90, 20}, 96, 1).value();
+  const auto blueOf = [](const Image& image) {
+    int count = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const Pixel p = at(image, x, y);
+        count += p.blue > 80 && p.red < 40 && p.alpha > 200 ? 1 : 0;
+      }
+    return count;
+  };
+  EXPECT_LT(blueOf(front), 150) << "the half that stands up is seen as a line";
+  EXPECT_GT(blueOf(side), 400) << "its back";
+}
+
+TEST(Thumbnail, OfThePatternShowsTheWholeSheetWithItsCreases) {
+  const Model model = twoColoured("square 100");
+  const FoldedState folded = run("square 100; fold valley 50,0 50,100 left");
+  const Image image = patternThumbnail(folded, appearanceOf(model), 96).value();
+  EXPECT_GT(coverOf(image), 0.85) << "unfolded";
+  EXPECT_GT(at(image, 24, 48).red, 150);
+  const Pixel crease = at(image, 48, 50);
+  const Pixel beside = at(image, 60, 50);
+  EXPECT_NE(crease.red + crease.green + crease.blue, beside.red + beside.green + beside.blue);
+}
+
 }  // namespace
 }  // namespace kiri::test

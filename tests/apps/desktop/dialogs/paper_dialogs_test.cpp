@@ -1,16 +1,11 @@
-// Sheets, colours, the start page, about.
+// Sheets, colours, about.
 // SPDX-License-Identifier: MIT
-#include <QFile>
-#include <QSignalSpy>
-#include <QToolButton>
-#include <set>
+#include <QLabel>
 
 #include "apps/desktop/dialogs/about_dialog.h"
 #include "apps/desktop/dialogs/appearance_dialog.h"
 #include "apps/desktop/dialogs/sheet_dialog.h"
-#include "apps/desktop/dialogs/start_page.h"
 #include "apps/desktop/look/icons.h"
-#include "apps/desktop/services/gallery.h"
 #include "core/geometry/region.h"
 #include "tests/apps/desktop/dialogs/dialog_test_kit.h"
 
@@ -66,73 +61,6 @@ TEST_F(PaperDialogs, ColoursAndImagesOfBothSidesAreChosen) {
   dialog.usePreset(0);
   EXPECT_EQ(dialog.front().texture, "");
   EXPECT_FALSE(dialog.isChanged()) << "the first preset is what new models have";
-}
-
-TEST_F(PaperDialogs, EveryExampleHasACardWithAPicture) {
-  const QStringList paths = modelsIn(examplesFolder());
-  ASSERT_GE(paths.size(), 8);
-  std::set<QString> titles;
-  for (const QString& example : paths) {
-    const ModelCard card = cardOf(example, 64);
-    EXPECT_FALSE(card.picture.isNull()) << example.toStdString();
-    EXPECT_GT(card.steps, 0);
-    titles.insert(card.title);
-    int inked = 0;
-    for (int y = 0; y < 64; ++y)
-      for (int x = 0; x < 64; ++x) inked += qAlpha(card.picture.pixel(x, y)) > 200 ? 1 : 0;
-    EXPECT_GT(inked, 300) << example.toStdString();
-  }
-  EXPECT_EQ(titles.size(), static_cast<std::size_t>(paths.size()));
-  QFile broken(path("broken.kiri"));
-  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
-  broken.write("{");
-  broken.close();
-  EXPECT_TRUE(cardOf(path("broken.kiri"), 64).picture.isNull());
-}
-
-TEST_F(PaperDialogs, TheStartPageShowsExamplesAndTellsWhatWasClicked) {
-  settings_.addRecentFile(QString::fromStdString(test::examplePath("ship")));
-  StartPage page(runner_, settings_);
-  page.resize(1100, 860);
-  page.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
-  ASSERT_TRUE(test::waitFor([&] { return runner_.pending() == 0; }, 60000));
-  test::show(page, "start");
-  const QList<QListWidget*> lists = page.findChildren<QListWidget*>();
-  ASSERT_EQ(lists.size(), 2);
-  EXPECT_EQ(lists[0]->count(), 1);
-  EXPECT_EQ(lists[1]->count(), modelsIn(examplesFolder()).size());
-  QSignalSpy files(&page, &StartPage::fileChosen);
-  QSignalSpy examples(&page, &StartPage::exampleChosen);
-  QSignalSpy sheets(&page, &StartPage::modelChosen);
-  QSignalSpy tour(&page, &StartPage::tourWanted);
-  const auto click = [](QListWidget& list, int row) {
-    QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
-                      list.visualItemRect(list.item(row)).center());
-  };
-  click(*lists[0], 0);
-  ASSERT_EQ(files.count(), 1);
-  EXPECT_TRUE(files[0][0].toString().endsWith("ship.kiri"));
-  click(*lists[1], 1);
-  ASSERT_EQ(examples.count(), 1);
-  QTest::keyClick(lists[1], Qt::Key_Return);
-  EXPECT_EQ(examples.count(), 2) << "by keyboard too";
-  page.findChildren<QToolButton*>().first()->click();
-  ASSERT_EQ(sheets.count(), 1);
-  for (QPushButton* button : page.findChildren<QPushButton*>())
-    if (button->text().contains("first leaf")) button->click();
-  EXPECT_EQ(tour.count(), 1);
-}
-
-TEST_F(PaperDialogs, APageThatGoesWhileItsPicturesAreMadeDoesNoHarm) {
-  {
-    StartPage page(runner_, settings_);
-    page.resize(800, 600);
-    page.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&page));
-    EXPECT_GT(runner_.pending(), 0U);
-  }
-  EXPECT_TRUE(test::waitFor([&] { return runner_.pending() == 0; }));
 }
 
 TEST_F(PaperDialogs, AboutTellsVersionAndRenderer) {

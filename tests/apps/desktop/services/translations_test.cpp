@@ -16,6 +16,7 @@
 #include "apps/desktop/look/convert.h"
 #include "apps/desktop/services/language.h"
 #include "editor/base/phrase.h"
+#include "editor/document/gallery.h"
 
 namespace kiri::desktop {
 namespace {
@@ -135,6 +136,23 @@ TEST(Translations, SentencesAreLookedForWhereTheyAreKept) {
     }
   }
   EXPECT_GT(asked, 4);
+}
+
+TEST(Translations, TheGalleryOfTheExamplesSpeaksGerman) {
+  const Gallery gallery = galleryIn(KIRI_SOURCE_DIR "/examples");
+  ASSERT_FALSE(gallery.groups.empty());
+  QSet<QString> known;
+  for (const Sentence& sentence : sentencesIn(kGerman)) {
+    if (sentence.context == "examples/gallery") known.insert(sentence.source);
+  }
+  for (const GalleryGroup& group : gallery.groups) {
+    for (const std::string& text : {group.title, group.notes}) {
+      EXPECT_TRUE(text.empty() || known.contains(toQt(text)))
+          << "write this sentence of gallery.json into services/gallery_words.cpp too, and "
+             "translate it: "
+          << text;
+    }
+  }
 }
 
 TEST(Translations, TheProgramSpeaksGermanAndEnglishAgain) {

@@ -1,0 +1,106 @@
+// A model folded, half way, and unfolded: what galleries show of it.
+// SPDX-License-Identifier: MIT
+#include "core/model/moments.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "core/model/apply.h"
+
+namespace kiri {
+namespace {
+
+constexpr double kHalf = 0.5;
+
+bool unfoldsAll(const Step& step) {
+  const auto* unfold = std::get_if<UnfoldStep>(&step.action);
+  return unfold != nullptr && unfold->lines.empty();
+}
+
+/// How many fold lines are folded, however little; creases without one count as one.
+std::size_t foldedLines(const FoldedState& state) {
+  std::set<std::uint32_t> lines;
+  for (const Edge& edge : state.pattern.edges) {
+    if (edge.kind == EdgeKind::Hinge && edge.angle != 0) {
+      lines.insert(edge.line.index);
+    }
+  }
+  return lines.size();
+}
+
+std::size_t stepsUntilFolded(const Model& model, const Timeline& timeline) {
+  std::size_t best = 0;
+  std::size_t most = 0;
+  const std::size_t count = model.steps.size();
+  for (std::size_t i = 0; i <= count; ++i) {
+    if (i < count && !unfoldsAll(model.steps[i])) continue;
+    const std::size_t lines = foldedLines(timeline.stateAfter(i));
+    if (lines >= most) best = i;
+    most = std::max(most, lines);
+  }
+  return most > 0 ? best : count;
+}
+
+/// The way from the folded model to the sheet; none where the paper would have to bend.
+Movements wayOpen(const Model& model, const Timeline& timeline, std::size_t folded) {
+  if (folded < model.steps.size() && !timeline.movementsOf(folded).empty()) {
+    return timeline.movementsOf(folded);
+  }
+  for (const Sequence sequence : {model.opening, Sequence::InOrder}) {
+    Movements movements;
+    const Step unfold{UnfoldStep{{}, sequence}, "", "", ""};
+    const int number = static_cast<int>(folded) + 1;
+    if (apply(timeline.stateAfter(folded), unfold, number, &movements) && !movements.empty()) {
+      return movements;
+    }
+  }
+  return {};
+}
+
+void findHalf(const Model& model, const Timeline& timeline, Moments& moments) {
+  const Movements way = wayOpen(model, timeline, moments.folded);
+  if (!way.empty()) {
+    moments.halfWay = HalfWay::Unfolding;
+    moments.half = stateAlong(way, kHalf);
+    return;
+  }
+  for (std::size_t i = moments.folded; i-- > 0;) {
+    if (timeline.movementsOf(i).empty()) continue;
+    moments.halfWay = HalfWay::LastFold;
+    moments.half = stateAlong(timeline.movementsOf(i), kHalf);
+    return;
+  }
+}
+
+/// The paper of a state as it lies before it is folded.
+FoldedState atRest(const FoldedState& state) {
+  FoldedState flat(state.pattern);
+  for (Edge& edge : flat.pattern.edges) edge.angle = 0;
+  flat.lines = state.lines;
+  LayerSet plane{{0, 0, 1}, {}, {}};
+  std::set<std::uint32_t> pieces;
+  const std::vector<std::uint32_t> pieceOf = piecesOf(flat.pattern);
+  for (std::size_t f = 0; f < flat.pattern.facets.size(); ++f) {
+    plane.upward.emplace_back(f);
+    if (pieces.insert(pieceOf[f]).second) flat.rests.push_back({FacetId(f), Rigid{}});
+  }
+  flat.layers = LayerOrder({std::move(plane)});
+  flat.poses = derivePoses(flat.pattern, flat.rests);
+  return flat;
+}
+
+}  // namespace
+
+Moments momentsOf(const Model& model, const Timeline& timeline) {
+  const FoldedState& last = timeline.stateAfter(model.steps.size());
+  Moments moments{0, false, HalfWay::None, {}, atRest(last)};
+  moments.folded = stepsUntilFolded(model, timeline);
+  moments.isOpenAtTheEnd = moments.folded < model.steps.size() && foldedLines(last) == 0;
+  findHalf(model, timeline, moments);
+  return moments;
+}
+
+}  // namespace kiri
