@@ -3,7 +3,6 @@
 #include "core/model/moments.h"
 
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <utility>
 #include <variant>
@@ -60,11 +59,28 @@ Movements wayOpen(const Model& model, const Timeline& timeline, std::size_t fold
   return {};
 }
 
+/// Half of the degrees are turned; near the start or end of a movement, where the paper may lie
+/// flat, the middle of that movement.
+FoldedState midwayAlong(const Movements& way) {
+  constexpr double kNearEnds = 0.15;
+  double left = kHalf * degreesOf(way);
+  for (const Movement& movement : way) {
+    const double share = degreesOf(movement);
+    if (left > share) {
+      left -= share;
+      continue;
+    }
+    const double part = share > 0 ? left / share : kHalf;
+    return stateDuring(movement, part < kNearEnds || part > 1 - kNearEnds ? kHalf : part);
+  }
+  return stateDuring(way.back(), kHalf);
+}
+
 void findHalf(const Model& model, const Timeline& timeline, Moments& moments) {
   const Movements way = wayOpen(model, timeline, moments.folded);
   if (!way.empty()) {
     moments.halfWay = HalfWay::Unfolding;
-    moments.half = stateAlong(way, kHalf);
+    moments.half = midwayAlong(way);
     return;
   }
   for (std::size_t i = moments.folded; i-- > 0;) {

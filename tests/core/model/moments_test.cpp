@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/model_text.h"
 #include "tests/support/state_check.h"
 
@@ -35,8 +37,9 @@ TEST(Moments, AModelThatIsUnfoldedAtTheEndIsFoldedBefore) {
   ASSERT_TRUE(moments.half);
   EXPECT_EQ(violationsOf(*moments.half), std::vector<std::string>{});
   const std::vector<double> angles = anglesOf(*moments.half);
-  EXPECT_GT(angles.front(), 0);
-  EXPECT_LT(angles.back(), 180);
+  EXPECT_TRUE(std::any_of(angles.begin(), angles.end(), [](double angle) {
+    return angle > 10 && angle < 170;
+  })) << "it does not lie flat";
 }
 
 TEST(Moments, AFoldedModelIsOpenedHalfAlthoughNoStepDoesIt) {
@@ -50,7 +53,7 @@ TEST(Moments, AFoldedModelIsOpenedHalfAlthoughNoStepDoesIt) {
 
 TEST(Moments, UnfoldedIsAllThePaperThatIsLeftAtRest) {
   const Moments moments =
-      momentsOfText(std::string(kFan) + "; cut @model 20,-5 20,105 through keep 80,20");
+      momentsOfText(std::string(kFan) + "; cut @model 80,-5 80,105 through keep m:60,60");
   EXPECT_EQ(violationsOf(moments.unfolded), std::vector<std::string>{});
   for (const double angle : anglesOf(moments.unfolded)) EXPECT_EQ(angle, 0);
   for (const Rigid& pose : moments.unfolded.poses)
