@@ -1,14 +1,18 @@
 // kiri leaf: a leaf model from a recipe of angles and lengths.
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <iomanip>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 
 #include "apps/cli/commands.h"
-#include "core/base/text.h"
+#include "apps/cli/model_input.h"
+#include "core/geometry/tolerance.h"
+#include "core/leaf/leaf_measures.h"
 #include "core/leaf/leaf_model.h"
-#include "io/file.h"
+#include "core/leaf/straight_margin.h"
 #include "io/kiri_writer.h"
 #include "io/leaf_recipe_reader.h"
 
@@ -21,40 +25,98 @@ struct LeafOptions {
   std::string out;
 };
 
-/// The rays with the lengths that one straight cut would give: how far this leaf is from the
-/// kirigami law of straight margins.
-std::string lawTable(const std::vector<FanRay>& fan) {
-  const std::vector<double> straight = straightLengths(fan);
+/// Makes the leaf and measures its unfolded margin.
+Result<LeafMeasures> measuredLeaf(Console& console, const std::string& name,
+                                  const LeafModel& leaf) {
+  const ModelInput input{name, "", leaf.model};
+  const auto state = loadState(console, input, {leaf.model.steps.size()});
+  if (!state) return state.error();
+  MeasureOptions options;
+  options.petiole = leaf.petiole;
+  options.axis = 0;
+  options.prominence = kParallel;  // however faint
+  return measuresOf((*state)->pattern, options);
+}
+
+/// The tip or sinus of the right half that lies nearest to a crease; the basal edge ends in none.
+const MarginPoint* measuredAt(const LeafMeasures& measures, const LeafCrease& crease) {
+  const MarginPoint* nearest = nullptr;
+  const double wanted = angleDegrees(crease.end.y, crease.end.x);
+  for (const MarginPoint& point : measures.margin) {
+    const bool isAlike = point.isLobe == (crease.kind == RayKind::Vein);
+    if (!isAlike || crease.kind == RayKind::BasalEdge) continue;
+    const double away = std::abs(point.angle - wanted);
+    if (nearest == nullptr || away < std::abs(nearest->angle - wanted)) nearest = &point;
+  }
+  return nearest;
+}
+
+std::string cell(const std::optional<double>& value, int decimals) {
   std::ostringstream out;
-  out << std::left << std::setw(20) << "ray" << std::right << std::setw(9) << "angle"
-      << std::setw(9) << "folded" << std::setw(9) << "length" << std::setw(15) << "straight cut"
-      << '\n';
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    out << std::left << std::setw(20) << fan[i].name << std::right << std::fixed
-        << std::setprecision(1) << std::setw(9) << fan[i].angle << std::setw(9) << fan[i].folded
-        << std::setprecision(3) << std::setw(9) << fan[i].length << std::setw(15) << straight[i]
-        << '\n';
+  out << std::setw(9);
+  if (value) {
+    out << std::fixed << std::setprecision(decimals) << *value;
+  } else {
+    out << '-';
   }
   return out.str();
 }
 
-Result<std::string> recipeText(Console& console, const std::string& path) {
-  return path == "-" ? readStream(console.in, "standard input") : readFile(path);
+/// The creases as the recipe has them, as the model's margin has them, and the lengths that one
+/// straight cut would give: how far this leaf is from the kirigami law of straight margins.
+std::string lawTable(const LeafModel& leaf, const LeafMeasures& measures, double midVein) {
+  const std::vector<LeafCrease>& creases = leaf.half.creases();
+  const std::vector<double> straight = straightLengths(leaf.half);
+  std::size_t wide = 0;
+  for (const LeafCrease& crease : creases) wide = std::max(wide, crease.name.size());
+  const auto name = [&](const std::string& text) {
+    return text + std::string(wide - text.size(), ' ');
+  };
+  std::string out = name("") + "   folded       recipe          measured      straight\n" +
+                    name("") + "    angle    angle   length    angle   length   length\n";
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    const Vec2 end = creases[i].end;
+    const Vec2 folded = leaf.half.foldedEnd(i);
+    const MarginPoint* point = measuredAt(measures, creases[i]);
+    std::optional<double> angle;
+    std::optional<double> length;
+    if (point != nullptr) {
+      angle = point->angle;
+      length = point->length / midVein;
+    }
+    std::optional<double> cut;
+    if (straight[i] > 0) cut = straight[i];
+    out += name(creases[i].name) + cell(angleDegrees(folded.y, folded.x), 2) +
+           cell(angleDegrees(end.y, end.x), 2) + cell(kiri::length(end), 3) + cell(angle, 2) +
+           cell(length, 3) + cell(cut, 3) + '\n';
+  }
+  std::ostringstream halves;
+  halves << "\nAngles in degrees from the mid-vein, lengths from the petiole as parts of the "
+            "mid-vein's ("
+         << midVein << " mm).\nLobes: " << measures.lobeCount
+         << ", sinuses: " << measures.sinusCount << ". The halves are mirror images to "
+         << std::setprecision(1) << std::scientific << measures.asymmetry << " mm.\n";
+  return out + halves.str();
+}
+
+int showLaw(Console& console, const std::string& name, const LeafModel& leaf, double midVein) {
+  const Result<LeafMeasures> measures = measuredLeaf(console, name, leaf);
+  if (!measures) return fail(console, measures.error());
+  console.out << lawTable(leaf, *measures, midVein);
+  return kDone;
 }
 
 int run(Console& console, const LeafOptions& options) {
-  const Result<std::string> text = recipeText(console, options.recipe);
-  if (!text) return fail(console, text.error());
-  const std::string name = options.recipe == "-" ? "standard input" : options.recipe;
-  const Result<LoadedRecipe> loaded = readLeafRecipe(*text, name);
+  const Result<InputText> input = readInput(console, options.recipe);
+  if (!input) return fail(console, input.error());
+  const Result<LoadedRecipe> loaded = readLeafRecipe(input->text, input->name);
   if (!loaded) return fail(console, loaded.error());
   for (const std::string& warning : loaded->warnings) warn(console, warning);
   const Result<LeafModel> leaf = leafModelOf(loaded->recipe);
-  if (!leaf) return fail(console, ExitCode::kBadModel, name + ": " + leaf.error().message);
-  if (options.out.empty()) {
-    console.out << lawTable(leaf->fan);
-    return kDone;
+  if (!leaf) {
+    return fail(console, ExitCode::kBadModel, input->name + ": " + leaf.error().message);
   }
+  if (options.out.empty()) return showLaw(console, input->name, *leaf, loaded->recipe.midVein);
   return writeResult(console, options.out, writeKiri(leaf->model));
 }
 
@@ -68,13 +130,12 @@ void addLeafCommand(CLI::App& app, Console& console, int& code) {
       ->type_name("OUT");
   command->footer(
       "A recipe holds the angles and lengths of veins and anti-veins. The model folds a sheet "
-      "along\n"
-      "them, cuts one margin through all layers and unfolds. Without -o the rays are listed "
-      "beside\n"
-      "the lengths that one straight cut would give (the kirigami law).\n\n"
+      "along\nthem, cuts one margin through all layers and unfolds. Without -o the leaf is made "
+      "and\nmeasured, and its creases are listed: as the recipe has them, as the unfolded margin "
+      "has\nthem, and with the lengths that one straight cut would give (the kirigami law).\n\n"
       "Examples:\n"
-      "  kiri leaf examples/leaves/sweet_gum.json -o sweet_gum.kiri\n"
-      "  kiri leaf examples/leaves/sweet_gum.json");
+      "  kiri leaf examples/leaves/acer_pseudoplatanus.json -o sycamore.kiri\n"
+      "  kiri leaf examples/leaves/acer_pseudoplatanus.json");
   command->callback([&console, &code, options] { code = run(console, *options); });
 }
 

@@ -1,4 +1,4 @@
-// Zig-zag of the polar angle, and the line through 1 / length.
+// Zig-zag of the polar angle.
 // SPDX-License-Identifier: MIT
 #include "core/leaf/fan.h"
 
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/geometry/rigid.h"
 #include "core/geometry/tolerance.h"
 
 namespace kiri {
@@ -90,34 +89,6 @@ Result<std::vector<FanRay>> fanOf(const LeafRecipe& recipe) {
   if (Status status = checkRays(recipe, fan); !status) return status.error();
   if (Status status = checkFolded(fan); !status) return status.error();
   return fan;
-}
-
-std::vector<double> straightLengths(const std::vector<FanRay>& fan) {
-  // 1 / R = a cos(folded) + b sin(folded).
-  double cc = 0;
-  double cs = 0;
-  double ss = 0;
-  double cr = 0;
-  double sr = 0;
-  for (const FanRay& ray : fan) {
-    const CosSin w = cosSinDegrees(ray.folded);
-    cc += w.cos * w.cos;
-    cs += w.cos * w.sin;
-    ss += w.sin * w.sin;
-    cr += w.cos / ray.length;
-    sr += w.sin / ray.length;
-  }
-  const double determinant = cc * ss - cs * cs;
-  std::vector<double> lengths(fan.size(), 0);
-  if (determinant <= kVanishing) return lengths;
-  const double a = (cr * ss - sr * cs) / determinant;
-  const double b = (sr * cc - cr * cs) / determinant;
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    const CosSin w = cosSinDegrees(fan[i].folded);
-    const double inverse = a * w.cos + b * w.sin;
-    if (inverse > kVanishing) lengths[i] = 1 / inverse;
-  }
-  return lengths;
 }
 
 }  // namespace kiri

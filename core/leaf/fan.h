@@ -26,10 +26,4 @@ struct FanRay {
 /// mid-vein into the other half. Source: thesis 3.4, 7.1.
 Result<std::vector<FanRay>> fanOf(const LeafRecipe& recipe);
 
-/// The lengths that one straight cut through the folded leaf would give: the line nearest to the
-/// tips and sinuses, by least squares on 1 / length, which is a sinusoid of the folded direction.
-/// From two rays it is the kirigami law of the thesis (3.4),
-/// Ra / Rc = sin(p + alpha - beta) / sin p. By ray; 0 where the line passes behind the petiole.
-std::vector<double> straightLengths(const std::vector<FanRay>& fan);
-
 }  // namespace kiri

@@ -12,7 +12,7 @@ Result<LeafModel> leafModelOf(const LeafRecipe& recipe) {
   if (!(std::isfinite(recipe.midVein) && recipe.midVein > 0)) {
     return Error{ErrorCode::BadValue, "the mid-vein needs a length in mm above 0"};
   }
-  Result<std::vector<FanRay>> fan = fanOf(recipe);
+  const Result<std::vector<FanRay>> fan = fanOf(recipe);
   if (!fan) return fan.error();
   if (Status status = checkSecondaryLobes(recipe, *fan); !status) return status.error();
   const FoldedHalf half(recipe, *fan);
@@ -20,14 +20,14 @@ Result<LeafModel> leafModelOf(const LeafRecipe& recipe) {
   if (!knots) return knots.error();
   const Result<MarginCurve> curve = marginCurve(half, *knots);
   if (!curve) return curve.error();
-  LeafModel leaf;
-  leaf.fan = std::move(*fan);
-  leaf.creases = half.creases();
-  const LeafPlan plan{recipe, leaf.fan, half, *curve, LeafSheet(recipe, half)};
+  const LeafPlan plan{recipe, *fan, half, *curve, LeafSheet(recipe, half)};
+  LeafModel leaf{{}, half, plan.sheet.petiole()};
   Model& model = leaf.model;
   model.title = recipe.title;
   model.notes = recipe.notes;
-  model.sheet.width = plan.sheet.side();
+  model.sheet.width = plan.sheet.width();
+  model.sheet.height = plan.sheet.height();
+  if (model.sheet.width != model.sheet.height) model.sheet.shape = SheetSpec::Shape::Rectangle;
   model.front = recipe.front;
   model.back = recipe.back;
   if (recipe.secondary.empty()) {

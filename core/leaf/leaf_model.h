@@ -11,16 +11,16 @@ namespace kiri {
 
 struct LeafModel {
   Model model;
-  std::vector<FanRay> fan;
-  std::vector<LeafCrease> creases;  ///< of the right half: where its tips and sinuses are to be
+  FoldedHalf half;  ///< its creases end where the tips and sinuses of the model are to be
+  Vec2 petiole;     ///< on the sheet, mm; the mid-vein points along +y
 };
 
-/// Without secondary lobes: a square sheet in whole centimetres, a fold along the mid-vein, for a
-/// petiole inside a cut along the basal edges, folds along anti-veins and veins in one half and
-/// then in the other, one margin through all layers, and unfolding (thesis Figures 7.2 and 7.3).
-/// With them: the same sheet and a tear along the mid-vein (Fig 7.4), or all creases at once on a
-/// sheet cut roughly around the blade. Errors: those of fanOf, checkSecondaryLobes, marginKnots,
-/// marginCurve and bladeOutline; BadValue - a length of the mid-vein that is none.
+/// Without secondary lobes: a square sheet in whole centimetres (see LeafSheet), a fold along the
+/// mid-vein, for a petiole inside a cut along the basal edges, folds along anti-veins and veins in
+/// one half and then in the other, one margin through all layers, and unfolding (thesis Figures 7.2
+/// and 7.3). With them: the same sheet and a tear along the mid-vein (Fig 7.4), or all creases at
+/// once on a sheet cut roughly around the blade. Errors: those of fanOf, checkSecondaryLobes,
+/// marginKnots, marginCurve and bladeOutline; BadValue - a length of the mid-vein that is none.
 Result<LeafModel> leafModelOf(const LeafRecipe& recipe);
 
 }  // namespace kiri

@@ -13,6 +13,10 @@ namespace {
 /// Paper that is left around the leaf, as part of the mid-vein's length.
 constexpr double kRoom = 0.08;
 constexpr double kCentimetre = 10;
+/// A fold line that ends nearer than this part of the width to a corner would be drawn to the
+/// corner.
+constexpr double kCorner = 0.005;
+constexpr int kMostTries = 20;
 /// Where facets are named, as part of the shortest ray.
 constexpr double kNear = 0.3;
 
@@ -31,10 +35,27 @@ LeafSheet::LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half) : midVein
   const bool isInside = recipe.petiole == Petiole::Inside;
   const double high = 1 + kRoom + (isInside ? low + kRoom : 0);
   const double needed = std::max(2 * (wide + kRoom), high) * midVein_;
-  side_ = std::ceil(needed / kCentimetre) * kCentimetre;
-  const double spare = side_ - high * midVein_;
-  petiole_ = {side_ / 2, isInside ? (low + kRoom) * midVein_ + spare / 2 : 0};
   near_ = kNear * shortest * midVein_;
+  const double least = std::ceil(needed / kCentimetre);
+  for (int more = 0; more < kMostTries; ++more) {
+    // From the middle of a side a larger square looks the same; only a higher sheet does not.
+    width_ = (isInside ? least + more : least) * kCentimetre;
+    height_ = (least + more) * kCentimetre;
+    const double spare = height_ - high * midVein_;
+    petiole_ = {width_ / 2, isInside ? (low + kRoom) * midVein_ + spare / 2 : 0};
+    if (isClearOfCorners(half)) break;
+  }
+}
+
+bool LeafSheet::isClearOfCorners(const FoldedHalf& half) const {
+  return std::all_of(half.creases().begin(), half.creases().end(), [&](const LeafCrease& crease) {
+    // With the petiole on the border of the sheet the basal edge is that border.
+    if (crease.kind == RayKind::BasalEdge && petiole_.y == 0) return true;
+    const Vec2 way = crease.end - crease.from;
+    const Vec2 end = rimFrom(place(crease.from, 1), angleDegrees(way.y, way.x), 1);
+    return distance(end, {width_, height_}) > kCorner * width_ &&
+           distance(end, {width_, 0}) > kCorner * width_;
+  });
 }
 
 Vec2 LeafSheet::place(Vec2 flat, int side) const {
@@ -48,15 +69,15 @@ Vec2 LeafSheet::at(double angle, double length, int side) const {
 
 Vec2 LeafSheet::rimFrom(Vec2 from, double angle, int side) const {
   const CosSin w = cosSinDegrees(angle);
-  const double far = 2 * side_;
-  const double toSide = w.sin > 0 ? (side_ / 2 - side * (from.x - side_ / 2)) / w.sin : far;
-  const double toTop = w.cos > 0 ? (side_ - from.y) / w.cos : far;
+  const double far = 2 * (width_ + height_);
+  const double toSide = w.sin > 0 ? (width_ / 2 - side * (from.x - width_ / 2)) / w.sin : far;
+  const double toTop = w.cos > 0 ? (height_ - from.y) / w.cos : far;
   const double toBottom = w.cos < 0 ? from.y / -w.cos : far;
   const double reach = std::min({toSide, toTop, toBottom});
   Vec2 end = from + Vec2{side * w.sin, w.cos} * reach;
   // On the rim exactly, so that the end is no corner beside it.
-  if (reach == toSide) end.x = side > 0 ? side_ : 0;
-  if (reach == toTop) end.y = side_;
+  if (reach == toSide) end.x = side > 0 ? width_ : 0;
+  if (reach == toTop) end.y = height_;
   if (reach == toBottom) end.y = 0;
   return end;
 }

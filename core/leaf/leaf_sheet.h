@@ -8,13 +8,15 @@
 
 namespace kiri {
 
-/// The least square, in whole centimetres, that holds the leaf with some room. Sides: 1 is the
-/// right half of the leaf, -1 the left. Lengths in mm.
+/// The least square, in whole centimetres, that holds the leaf with some room, and whose corners no
+/// crease runs into; a little higher than wide where a square would have such corners however
+/// large. Sides: 1 is the right half of the leaf, -1 the left. Lengths in mm.
 class LeafSheet {
  public:
   LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half);
 
-  double side() const { return side_; }
+  double width() const { return width_; }
+  double height() const { return height_; }
   double midVein() const { return midVein_; }
   Vec2 petiole() const { return petiole_; }
   /// A place of the flat right half (see FoldedHalf), or its mirror image in the left.
@@ -27,8 +29,11 @@ class LeafSheet {
   Vec2 inSector(double fromAngle, double toAngle, int side) const;
 
  private:
+  bool isClearOfCorners(const FoldedHalf& half) const;
+
   double midVein_ = 0;
-  double side_ = 0;
+  double width_ = 0;
+  double height_ = 0;
   double near_ = 0;
   Vec2 petiole_;
 };

@@ -49,10 +49,10 @@ std::string figure(const LeafPlan& plan, const std::string& onEdge, const std::s
 }
 
 std::vector<Step> openingSteps(const LeafPlan& plan) {
-  const double side = plan.sheet.side();
+  const double middle = plan.sheet.width() / 2;
   FoldStep fold;
   fold.name = "mid-vein";
-  fold.line = {Frame::Paper, {side / 2, 0}, {side / 2, side}, std::nullopt};
+  fold.line = {Frame::Paper, {middle, 0}, {middle, plan.sheet.height()}, std::nullopt};
   fold.type = FoldType::Mountain;
   std::vector<Step> steps = {
       {fold, "Fold along the mid-vein",

@@ -48,10 +48,22 @@ Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
                    kRemedy);
 }
 
+Vec3 lifted(Vec2 p) { return {p.x, p.y, 0}; }
+
 /// Sine of the angle, seen from the end of a crease, by which a place lies clockwise of it.
 double roomBeside(const LeafCrease& crease, Vec2 place) {
   const Vec2 seen = place - crease.end;
   return cross(seen, normalized(crease.end - crease.from)) / length(seen);
+}
+
+/// Whether the margin of a facet comes nearer to the petiole at the very end of a crease.
+bool isFallingAt(const FoldedHalf& half, const MarginCurve& curve, std::size_t facet,
+                 std::size_t crease) {
+  const Rigid& pose = half.pose(facet);
+  const Vec2 way = startDirection(curve.arcs[curve.crossings[crease]]);
+  const Vec2 place = pose.pullBack(lifted(curve.arcs[curve.crossings[crease]].start));
+  const Vec2 flat = {dot(lifted(way), pose.x), dot(lifted(way), pose.y)};
+  return dot(flat, place) < 0;
 }
 
 Status checkFacet(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
@@ -68,7 +80,9 @@ Status checkFacet(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
     return std::min(roomBeside(before, places[k]), -roomBeside(behind, places[k]));
   };
   for (std::size_t k = 1; k < places.size(); ++k) {
-    if (length(places[k]) >= length(places[k - 1])) {
+    const bool isRising = length(places[k]) >= length(places[k - 1]);
+    if (isRising || (k == 1 && !isFallingAt(half, curve, facet, half.tipOf(facet))) ||
+        (k + 1 == places.size() && !isFallingAt(half, curve, facet, half.sinusOf(facet)))) {
       return between(half, knots, curve, facet, k, "would go away from the petiole");
     }
     if (k + 1 < places.size() && !(roomAt(k) > 0)) {
@@ -157,7 +171,7 @@ Status checkOnce(const FoldedHalf& half, const MarginCurve& curve, const Stretch
 std::vector<Vec2> marginOfFacet(const FoldedHalf& half, const MarginCurve& curve, std::size_t facet,
                                 int perPiece) {
   std::vector<Vec2> places;
-  const auto add = [&](Vec2 p) { places.push_back(half.pose(facet).pullBack({p.x, p.y, 0})); };
+  const auto add = [&](Vec2 p) { places.push_back(half.pose(facet).pullBack(lifted(p))); };
   const std::size_t last = curve.crossings[half.sinusOf(facet)];
   for (std::size_t i = curve.crossings[half.tipOf(facet)]; i < last; ++i) {
     for (int k = 0; k < perPiece; ++k) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "apps/cli/exit_codes.h"
 #include "io/kiri_reader.h"
 #include "tests/apps/cli/run_kiri.h"
@@ -22,11 +24,23 @@ TEST(LeafCommand, WritesAModelThatReadsBack) {
   EXPECT_EQ(loaded->model.steps.size(), 3u + 4u + 3u);
 }
 
-TEST(LeafCommand, ListsTheRaysBesideTheKirigamiLaw) {
+TEST(LeafCommand, ListsTheCreasesAsToldAsMeasuredAndByTheKirigamiLaw) {
   const Answer done = runKiri({"leaf", "-"}, {kMaple});
   ASSERT_EQ(done.code, kDone) << done.err;
-  EXPECT_NE(done.out.find("first anti-vein          24.0     24.0    0.600"), std::string::npos)
+  EXPECT_NE(
+      done.out.find("first anti-vein    24.00    24.00    0.600    24.00    0.600    0.610\n"),
+      std::string::npos)
       << done.out;
+  EXPECT_NE(done.out.find("basal edge          "), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("Lobes: 3, sinuses: 2."), std::string::npos) << done.out;
+}
+
+TEST(LeafCommand, ItsHelpNamesARecipeThatIsThere) {
+  const Answer done = runKiri({"leaf", "--help"});
+  const std::size_t at = done.out.find("examples/leaves/");
+  ASSERT_NE(at, std::string::npos) << done.out;
+  const std::string path = done.out.substr(at, done.out.find(' ', at) - at);
+  EXPECT_TRUE(std::filesystem::exists(KIRI_SOURCE_DIR "/" + path)) << path;
 }
 
 TEST(LeafCommand, ARecipeThatCannotWorkGetsASentence) {

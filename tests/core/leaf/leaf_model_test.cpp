@@ -73,15 +73,16 @@ void expectRays(const LeafRecipe& recipe) {
   const FoldedState& state = **last;
   EXPECT_TRUE(state.collisions.empty()) << state.collisions.front().message;
   EXPECT_TRUE(isFlat(state));
-  const Vec2 petiole = std::get<FoldStep>(leaf->model.steps[3].action).line.from;
+  const Vec2 petiole = leaf->petiole;
   const auto found = extremesOf(state.pattern, petiole, recipe.midVein);
-  for (const FanRay& ray : leaf->fan) {
-    if (ray.kind == RayKind::BasalEdge) continue;
-    for (const double angle : {ray.angle, -ray.angle}) {
+  for (const LeafCrease& crease : leaf->half.creases()) {
+    if (crease.kind == RayKind::BasalEdge) continue;
+    const double end = angleDegrees(crease.end.y, crease.end.x);
+    for (const double angle : {end, -end}) {
       const auto near = std::find_if(found.begin(), found.end(), [&](const LeafRay& r) {
-        return std::abs(r.angle - angle) < 0.1 && std::abs(r.length - ray.length) < 0.002;
+        return std::abs(r.angle - angle) < 0.1 && std::abs(r.length - length(crease.end)) < 0.002;
       });
-      EXPECT_NE(near, found.end()) << ray.name << " at " << angle;
+      EXPECT_NE(near, found.end()) << crease.name << " at " << angle;
     }
   }
 }
@@ -111,11 +112,7 @@ TEST(LeafModel, SecondaryLobesAreWhereTheRecipePutsThemWithATearOrWithout) {
     ASSERT_TRUE(last) << last.error().message;
     EXPECT_TRUE((*last)->collisions.empty());
     EXPECT_TRUE(isFlat(**last));
-    const Vec2 junction = isTorn
-                              ? std::get<TearStep>(leaf->model.steps[2].action).path.points.back()
-                              : std::get<PatternStep>(leaf->model.steps[0].action).vertices[1];
-    const Vec2 petiole = junction - Vec2{0, 0.5 * recipe.midVein};
-    const auto found = extremesOf((*last)->pattern, petiole, recipe.midVein);
+    const auto found = extremesOf((*last)->pattern, leaf->petiole, recipe.midVein);
     for (const LeafRay& ray : {recipe.secondary[0].antiVein, recipe.secondary[0].vein}) {
       const double radians = ray.angle * std::numbers::pi / 180;
       const double x = ray.length * std::sin(radians);
@@ -224,7 +221,7 @@ std::vector<LeafRay> marginOf(const LeafRecipe& recipe) {
   const auto last = replayed->after(leaf->model.steps.size());
   EXPECT_TRUE(last) << last.error().message;
   if (!last) return {};
-  const Vec2 petiole = std::get<FoldStep>(leaf->model.steps[3].action).line.from;
+  const Vec2 petiole = leaf->petiole;
   std::vector<LeafRay> margin;
   const auto contours = contoursOf((*last)->pattern);
   for (const EdgeUse use : contours.front()) {
