@@ -70,7 +70,7 @@ Status shootInto(const Film& film, const FilmOutput& output, const Progress& pro
   if (!encoder.isOk()) return encoder.error();
   double done = 0;
   const Progress again = [&](double) { return goesOn(progress, done); };
-  const Status shot = shoot(
+  Status shot = shoot(
       film,
       [&](const Image& frame, std::size_t times) { return encoder->add(frame, times, again); },
       [&](double part) { return goesOn(progress, done = part); });

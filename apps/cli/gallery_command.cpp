@@ -53,7 +53,7 @@ Status checkPlace(const GalleryOptions& options) {
   if (error) return Error{ErrorCode::Unwritable, options.out + ": " + error.message()};
   if (!options.hasAnimations) return std::monostate{};
   Result<Child> ffmpeg = Child::start({"ffmpeg", "-nostdin", "-loglevel", "error", "-version"});
-  const Status runs = ffmpeg ? ffmpeg->finish() : Status(ffmpeg.error());
+  Status runs = ffmpeg ? ffmpeg->finish() : Status(ffmpeg.error());
   if (runs) return runs;
   return Error{ErrorCode::Unwritable,
                "films are made by the program ffmpeg, which is not installed or does not run "

@@ -70,9 +70,10 @@ Status checkNames(const GalleryPlan& plan) {
       const std::string folder = galleryFolderOf(file);
       const auto [old, isNew] = files.emplace(folder, file);
       if (isNew) continue;
-      return Error{ErrorCode::BadValue, "two models are named " + folder + " (" + old->second +
-                                            " and " + file +
-                                            "), and each gets a folder of its name; rename one"};
+      std::string sentence = "two models are named " + folder;
+      sentence.append(" (").append(old->second).append(" and ").append(file);
+      sentence += "), and each gets a folder of its name; rename one";
+      return Error{ErrorCode::BadValue, sentence};
     }
   }
   return std::monostate{};
