@@ -31,12 +31,12 @@ struct FoldRequest {
 Vec3 upOf(const FoldedState& state, FacetId facet);
 
 /// Creases the layers along the line and rotates the paper joined to the moving side. Facets that
-/// the segment does not cross are not split; where it runs along existing flat hinges between two of
-/// the layers, these become part of the fold line. Where it crosses no layer, it folds along the
-/// hinges that are there, flat or folded, between a layer and another facet: the one of the two that
-/// lies on the moving side turns by `degrees` from where it is, and these hinges alone become a
-/// fold line of their own, which is folded as they are then (decisions, 12). Errors: MissesPaper -
-/// no layer is crossed and nothing turns along the line; BadValue - hinges there are folded by
+/// the segment does not cross are not split; where it runs along existing flat hinges between two
+/// of the layers, these become part of the fold line. Where it crosses no layer, it folds along the
+/// hinges that are there, flat or folded, between a layer and another facet: the one of the two
+/// that lies on the moving side turns by `degrees` from where it is, and these hinges alone become
+/// a fold line of their own, which is folded as they are then (decisions, 12). Errors: MissesPaper
+/// - no layer is crossed and nothing turns along the line; BadValue - hinges there are folded by
 /// different angles; TooThin - see inscribeChords; WouldStretch - the moving side is joined to the
 /// resting side by a hinge that is not on the line, named with a remedy; NothingToDo - a companion
 /// rests. `record` gets the movement.

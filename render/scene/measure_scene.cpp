@@ -19,6 +19,8 @@ constexpr double kTextPart = 0.028;
 constexpr double kLinePart = 0.002;
 /// Room for numbers beside the leaf, in heights of the text.
 constexpr double kRoom = 9;
+/// From one line of numbers to the next, in heights of the text.
+constexpr double kLinePitch = 1.35;
 /// How much white is mixed into the paper, so that lines and numbers stand out.
 constexpr double kWhite = 0.75;
 
@@ -59,7 +61,12 @@ class MeasureItems {
 
   Group numbers(double bottom) const {
     Group group{"numbers", "numbers", {}, {}};
-    for (const MarginPoint& point : m_.margin) group.items.push_back(label(point));
+    for (const double side : {-1.0, 1.0}) {
+      for (const Label& label : column(side)) addLabel(label, side, group.items);
+    }
+    for (const MarginPoint& point : m_.margin) {
+      if (isOnAxis(point)) group.items.push_back(labelBeyond(point));
+    }
     const double height = kTextPart * size_;
     const std::string text = "length " + rounded(m_.length, 1) + " mm, width " +
                              rounded(m_.width, 1) + " mm, area " + rounded(m_.area / 100, 2) +
@@ -83,22 +90,81 @@ class MeasureItems {
     return {StrokeItem{{{arc}}, stroke}, "measure", "", {}};
   }
 
-  /// Angle and length beyond the end of the ray, on the side where there is room.
-  Item label(const MarginPoint& point) const {
-    const double height = kTextPart * size_;
-    const Vec2 end = toScene_.apply(point.place);
-    const Vec2 outward = normalized(toScene_.direction(point.place - m_.petiole));
-    const Vec2 at = end + outward * height - Vec2{0, height / 3};
-    const bool isUpright = std::abs(outward.x) < std::abs(outward.y) / 4;
+  bool isOnAxis(const MarginPoint& point) const {
+    return std::abs(cross(m_.axis, point.place - m_.petiole)) < kTextPart * m_.length / 2;
+  }
+
+  TextItem numbersOf(const MarginPoint& point, Vec2 at, TextAnchor anchor) const {
     TextItem text;
-    text.at = at;
+    text.at = at - Vec2{0, kTextPart * size_ / 3};
     text.text = rounded(std::abs(point.angle), 1) + "\u00b0 " + rounded(point.length, 1);
-    text.height = height;
-    text.anchor = isUpright       ? TextAnchor::Middle
-                  : outward.x > 0 ? TextAnchor::Start
-                                  : TextAnchor::End;
+    text.height = kTextPart * size_;
+    text.anchor = anchor;
     text.color = point.isLobe ? kLobeColor : kSinusColor;
-    return {text, "measure", "", {}};
+    return text;
+  }
+
+  /// Beyond the end of the ray: for those on the axis, as the apex.
+  Item labelBeyond(const MarginPoint& point) const {
+    const Vec2 outward = normalized(toScene_.direction(point.place - m_.petiole));
+    const Vec2 at = toScene_.apply(point.place) + outward * (kTextPart * size_);
+    return {numbersOf(point, at, TextAnchor::Middle), "measure", "", {}};
+  }
+
+  /// A lobe tip or sinus on the page, and the height at which its numbers stand beside the leaf.
+  struct Label {
+    const MarginPoint* point = nullptr;
+    Vec2 end;
+    double y = 0;
+  };
+
+  /// Those of one side from the bottom up, moved apart where they would touch, and together to
+  /// where they belong.
+  std::vector<Label> column(double side) const {
+    std::vector<Label> labels;
+    const double middle = toScene_.apply(m_.petiole).x;
+    for (const MarginPoint& point : m_.margin) {
+      const Vec2 end = toScene_.apply(point.place);
+      if (!isOnAxis(point) && (end.x < middle ? -1 : 1) == side)
+        labels.push_back({&point, end, end.y});
+    }
+    std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
+      return a.end.y != b.end.y ? a.end.y < b.end.y : a.end.x < b.end.x;
+    });
+    const double apart = kLinePitch * kTextPart * size_;
+    double lift = 0;
+    for (std::size_t i = 1; i < labels.size(); ++i) {
+      labels[i].y = std::max(labels[i].y, labels[i - 1].y + apart);
+      lift += (labels[i].y - labels[i].end.y) / static_cast<double>(labels.size());
+    }
+    for (Label& label : labels) label.y -= lift;
+    return labels;
+  }
+
+  /// Angle and length beside the leaf, and a thin line that leads to them.
+  void addLabel(const Label& label, double side, std::vector<Item>& items) const {
+    const double height = kTextPart * size_;
+    const Box box = pageBox();
+    const double edge = side < 0 ? box.low.x : box.high.x;
+    const TextItem text = numbersOf(*label.point, {edge + side * height, label.y},
+                                    side < 0 ? TextAnchor::End : TextAnchor::Start);
+    Stroke stroke;
+    stroke.color = text.color;
+    stroke.width = kLinePart * size_ / 2;
+    const Arc leader = Arc::line(label.end, {edge + side * height * 0.7, label.y});
+    items.push_back({StrokeItem{{{leader}}, stroke}, "measure", "", {}});
+    items.push_back({text, "measure", "", {}});
+  }
+
+  /// What tips and sinuses reach on the page.
+  Box pageBox() const {
+    Box box{toScene_.apply(m_.petiole), toScene_.apply(m_.petiole)};
+    for (const MarginPoint& point : m_.margin) {
+      const Vec2 p = toScene_.apply(point.place);
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
   }
 
   const LeafMeasures& m_;
