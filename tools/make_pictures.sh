@@ -38,9 +38,14 @@ rm "$maple"
 ./kiri animate examples/leaf_hornbeam.kiri --steps 31 --size 280x210 --fps 15 --speed 60 -o docs/pictures/hornbeam_opens.gif
 
 # The window's are made by the journeys of the tests, which fold in it with mouse and keyboard.
-cmake --build --preset release --target kiri_tests_apps_desktop_journeys
+cmake --build --preset release --target kiri_tests_apps_desktop_journeys kiri_tests_apps_desktop \
+  kiri_tests_apps_desktop_dialogs
 shots=$(mktemp -d)
 KIRI_PICTURES=$shots tools/with_screen.sh build/release/kiri_tests_apps_desktop_journeys
+KIRI_PICTURES=$shots tools/with_screen.sh build/release/kiri_tests_apps_desktop --gtest_filter='CaptionInTheWindow.*'
+KIRI_PICTURES=$shots tools/with_screen.sh build/release/kiri_tests_apps_desktop_dialogs --gtest_filter='StartPageTest.Pointing*'
+cp "$shots/caption-step.png" docs/pictures/window_caption.png
+cp "$shots/start-preview-light-1x.png" docs/pictures/window_start.png
 cp "$shots/journey-leaf.png" docs/pictures/window.png
 cp "$shots/journey-stretch.png" docs/pictures/window_stretch.png
 cp "$shots/journey-pattern.png" docs/pictures/window_pattern.png

@@ -45,6 +45,7 @@ struct SnapQuestion {
   std::optional<FacetId> frame;
   Spot free;  ///< the point without any snap
   std::optional<StepDirection> direction;
+  bool catchesDirection = true;  ///< false: only its meetings with edges
 };
 
 /// True when a facet lies in the plane that the question asks about.

@@ -69,7 +69,7 @@ std::vector<Catch> catchesInPlane(const Neighbourhood& near, const SnapQuestion&
     if (found.pixels <= settings.radius) out.push_back(found);
   };
   const Spot& free = question.free;
-  if (const auto& line = question.direction) {
+  if (const auto& line = question.direction; line && question.catchesDirection) {
     Catch found;
     found.kind = SnapKind::Angle;
     found.degrees = line->degrees;

@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "editor/snap/catches.h"
+#include "editor/snap/snap_dragged.h"
 
 namespace kiri {
 namespace {
@@ -146,11 +147,11 @@ std::optional<Spot> freeSpot(const Neighbourhood& near, Vec2 pixels, std::option
   return Spot{*frame, *point};
 }
 
-}  // namespace
-
-std::optional<Snapped> snapPoint(const FoldedState& state, const PaneMap& map, Vec2 pixels,
-                                 const SnapSettings& settings, std::optional<FacetId> frame,
-                                 std::optional<Vec2> from) {
+/// `meetingStep`: degrees; without angle steps, directions that count where they meet an edge, and
+/// nowhere else. 0: none.
+std::optional<Snapped> snap(const FoldedState& state, const PaneMap& map, Vec2 pixels,
+                            const SnapSettings& settings, std::optional<FacetId> frame,
+                            std::optional<Vec2> from, double meetingStep) {
   const Neighbourhood near(state, map, pixels, settings.isOn ? settings.radius : 0);
   const std::optional<Spot> free = freeSpot(near, pixels, frame);
   if (frame && !free) return std::nullopt;
@@ -160,8 +161,10 @@ std::optional<Snapped> snapPoint(const FoldedState& state, const PaneMap& map, V
   };
   if (!settings.isOn) return unsnapped();
 
-  SnapQuestion question{pixels, settings, frame, free.value_or(Spot{}), std::nullopt};
-  if (frame && from) question.direction = stepDirection(near, *free, *from, settings.angleStep);
+  SnapQuestion question{pixels, settings, frame, free.value_or(Spot{}), std::nullopt, true};
+  question.catchesDirection = settings.angleStep > 0;
+  const double step = question.catchesDirection ? settings.angleStep : meetingStep;
+  if (frame && from) question.direction = stepDirection(near, *free, *from, step);
   SeenPlaces seen(near);
   std::optional<Catch> best =
       Choice(near, seen, question).best(catchesOnPaper(near, seen, question));
@@ -183,6 +186,20 @@ std::optional<Snapped> snapPoint(const FoldedState& state, const PaneMap& map, V
     out.spot.paper = exactIn(state, *frame, out.spot.paper);
   }
   return out;
+}
+
+}  // namespace
+
+std::optional<Snapped> snapPoint(const FoldedState& state, const PaneMap& map, Vec2 pixels,
+                                 const SnapSettings& settings, std::optional<FacetId> frame,
+                                 std::optional<Vec2> from) {
+  return snap(state, map, pixels, settings, frame, from, 0);
+}
+
+std::optional<Snapped> snapDragged(const FoldedState& state, const PaneMap& map, Vec2 pixels,
+                                   const SnapSettings& settings, FacetId frame, Vec2 from) {
+  constexpr double kFolderStep = 22.5;  // degrees
+  return snap(state, map, pixels, settings, frame, from, kFolderStep);
 }
 
 }  // namespace kiri

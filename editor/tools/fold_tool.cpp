@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "editor/snap/snap_dragged.h"
 #include "editor/view/picking.h"
 
 namespace kiri {
@@ -169,7 +170,8 @@ void FoldTool::dragPaper(const PointerEvent& event, const Scope& scope) {
     offer_.drop();
     return line_.reset();
   }
-  const auto onto = snapPoint(state, scope.map(pane_), event.at, scope.snaps, *facet, grab_->from);
+  const auto onto =
+      snapDragged(state, scope.map(pane_), event.at, scope.snaps, *facet, grab_->from);
   if (!onto) return;
   caught_ = onto->marks;
   grab_->to = onto->spot.paper;

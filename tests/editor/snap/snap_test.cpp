@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "core/paper/boxes.h"
+#include "editor/snap/snap_dragged.h"
 #include "editor/view/seen_places.h"
 #include "tests/support/model_text.h"
 #include "tests/support/views.h"
@@ -351,6 +352,28 @@ TEST(SnapPoint, AVertexThatIsPickedNearbyIsCaught) {
   }
   EXPECT_GT(compared, 200);
   EXPECT_GT(same, compared * 9 / 10);
+}
+
+TEST(SnapDragged, OnlyEdgesCatchInTheDirectionsOfFolders) {
+  const FoldedState state = test::run("square 100");
+  const PaneMap map = test::frontCamera(state).map();
+  const FacetId sheet(0);
+  const double pixel = 1 / map.pixelsPerMm;
+  const double exact = 100 * (std::sqrt(2) - 1);  // tan 22.5 degrees of the side
+  const auto at = [&](Vec2 mm) {
+    const Vec2 pixels = map.toPixels(Vec3{mm.x, mm.y, 0});
+    return snapDragged(state, map, pixels, SnapSettings{}, sheet, {0, 0});
+  };
+  const auto onEdge = at({exact - 2 * pixel, 100 - pixel});
+  ASSERT_TRUE(onEdge);
+  EXPECT_NEAR(distance(onEdge->spot.paper, {exact, 100}), 0, 1e-9);
+  const Vec2 free{exact * 0.6, 60 + pixel};
+  EXPECT_EQ(at(free)->kind, SnapKind::None);
+  SnapSettings off;
+  off.isOn = false;
+  const auto unsnapped =
+      snapDragged(state, map, map.toPixels(Vec3{exact - 2 * pixel, 100, 0}), off, sheet, {0, 0});
+  EXPECT_GT(distance(unsnapped->spot.paper, {exact, 100}), pixel);
 }
 
 }  // namespace

@@ -70,6 +70,24 @@ TEST(FoldTool, DraggingAnEdgeOntoTheOppositeEdgeFoldsInHalf) {
   EXPECT_AT(imageOf(*after, {0, 100}), 100, 100, 0);
 }
 
+TEST(FoldTool, TheCupIsFoldedByHandWithoutMeasuring) {  // Figure 7.16
+  ToolDriver hand(ToolId::Fold, "square 100");
+  hand.drag({99, 1}, {1, 99});
+  hand.key(Key::Enter);
+  // A corner that is dragged along the far edge is caught where its edge runs along the fold.
+  hand.drag({0.5, 0.5}, {41, 99.5});
+  hand.key(Key::Enter);
+  const double part = 100 * (std::sqrt(2) - 1);
+  EXPECT_AT(imageOf(hand.state(), {0, 0}), part, 100, 0);
+  hand.drag({99.5, 99.5}, {0.5, 58});
+  hand.key(Key::Enter);
+  EXPECT_AT(imageOf(hand.state(), {100, 100}), 0, 100 - part, 0);
+  hand.drag({0.5, 99.5}, {41, 59});
+  hand.key(Key::Enter);
+  EXPECT_AT(imageOf(hand.state(), {100, 0}), part, 100 - part, 0);
+  EXPECT_TRUE(hand.state().collisions.empty()) << "its edges lie along the fold, not across it";
+}
+
 TEST(FoldTool, AnEdgeDraggedToANeighbourIsLaidAlongIt) {
   ToolDriver hand(ToolId::Fold, "square 100");
   hand.snaps.toMidpoints = false;
