@@ -42,7 +42,9 @@ std::size_t largestFan(const CreasePattern& pattern) {
 }
 
 /// Superscripts as people write them.
-std::string unitInWords(const std::string& unit) { return unit == "mm2" ? "mm²" : unit; }
+std::string unitInWords(const std::string& unit) {
+  return unit == "mm2" ? "mm²" : unit == "deg" ? "°" : unit;
+}
 
 std::string rounded(double value) {
   constexpr double kSteps = 1000;
@@ -63,8 +65,9 @@ std::optional<LeafMeasures> galleryLeafOf(const Model& model, const FoldedState&
 std::vector<GalleryMeasure> galleryMeasuresOf(const LeafMeasures& measures) {
   std::vector<GalleryMeasure> rows;
   for (const NamedMeasure& measure : namedMeasures(measures)) {
+    if (!measure.value) continue;
     const std::string unit = unitInWords(measure.unit);
-    rows.push_back({measure.words, rounded(measure.value) + (unit.empty() ? "" : " " + unit)});
+    rows.push_back({measure.words, rounded(*measure.value) + (unit.empty() ? "" : " " + unit)});
   }
   for (const MarginPoint& point : measures.margin) {
     rows.push_back(

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/json_parts.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/state_facts.h"
-#include "io/json_tree.h"
 
 namespace kiri::cli {
 
@@ -37,30 +37,16 @@ const char* nameOf(CollisionMoment moment) {
 
 JsonValue number(double value) { return JsonValue::ofNumber(value); }
 
-JsonValue count(std::size_t value) { return number(static_cast<double>(value)); }
-
-JsonValue point(Vec2 p) {
-  JsonValue out = JsonValue::array();
-  out.items = {number(p.x), number(p.y)};
-  return out;
-}
-
-JsonValue point(Vec3 p) {
-  JsonValue out = JsonValue::array();
-  out.items = {number(p.x), number(p.y), number(p.z)};
-  return out;
-}
-
 JsonValue collisionsOf(const FoldedState& state) {
   JsonValue out = JsonValue::array();
   for (const Collision& collision : state.collisions) {
     JsonValue& item = out.items.emplace_back(JsonValue::object());
     item.add("step", number(collision.step));
     item.add("moment", JsonValue::ofText(nameOf(collision.moment)));
-    item.add("moving", point(collision.moving));
-    item.add("fixed", point(collision.fixed));
+    item.add("moving", pointJson(collision.moving));
+    item.add("fixed", pointJson(collision.fixed));
     item.add("degrees", number(collision.degrees));
-    item.add("place", point(collision.place));
+    item.add("place", pointJson(collision.place));
     item.add("certain", JsonValue::ofBool(collision.isCertain));
     item.add("message", JsonValue::ofText(collision.message));
   }
@@ -74,7 +60,7 @@ JsonValue foldLinesOf(const StateFacts& facts) {
     item.add("name", JsonValue::ofText(line.name));
     item.add("type", JsonValue::ofText(line.isValley ? "valley" : "mountain"));
     item.add("angle", line.angle ? number(*line.angle) : JsonValue{});
-    item.add("hinges", count(line.hinges));
+    item.add("hinges", countJson(line.hinges));
   }
   return out;
 }
@@ -82,8 +68,8 @@ JsonValue foldLinesOf(const StateFacts& facts) {
 template <class Point>
 JsonValue boxOf(Point low, Point high) {
   JsonValue out = JsonValue::object();
-  out.add("low", point(low));
-  out.add("high", point(high));
+  out.add("low", pointJson(low));
+  out.add("high", pointJson(high));
   return out;
 }
 
@@ -92,13 +78,13 @@ std::string jsonOf(const ModelInput& input, const StepChoice& step, const Folded
   JsonValue out = JsonValue::object();
   out.add("file", JsonValue::ofText(input.name));
   out.add("title", JsonValue::ofText(titleOf(input)));
-  out.add("steps", count(input.model.steps.size()));
+  out.add("steps", countJson(input.model.steps.size()));
   out.add("step", number(step.number()));
-  out.add("facets", count(facts.facets));
-  out.add("hinges", count(facts.hinges));
-  out.add("fold_lines", count(facts.lines.size()));
-  out.add("torn_edges", count(facts.tornEdges));
-  out.add("pieces", count(facts.pieces));
+  out.add("facets", countJson(facts.facets));
+  out.add("hinges", countJson(facts.hinges));
+  out.add("fold_lines", countJson(facts.lines.size()));
+  out.add("torn_edges", countJson(facts.tornEdges));
+  out.add("pieces", countJson(facts.pieces));
   out.add("area_mm2", number(facts.area));
   out.add("flat", JsonValue::ofBool(facts.isFlat));
   out.add("layers", number(facts.layers));

@@ -3,16 +3,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "apps/cli/commands.h"
-#include "apps/cli/measure_names.h"
+#include "apps/cli/measure_report.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/outline_input.h"
 #include "apps/cli/picture_options.h"
-#include "core/base/text.h"
 #include "core/leaf/leaf_measures.h"
-#include "io/json_tree.h"
 #include "render/scene/measure_scene.h"
 
 namespace kiri::cli {
@@ -27,77 +25,15 @@ struct MeasureCommandOptions {
   std::vector<double> petiole;
   std::optional<double> axis;
   double prominence = MeasureOptions{}.prominence;
+  OutlineOptions outline;
   PictureOptions picture;
 };
-
-const char* kindOf(const MarginPoint& point) { return point.isLobe ? "lobe" : "sinus"; }
-
-JsonValue placeJson(Vec2 p) {
-  JsonValue out = JsonValue::array();
-  out.items = {JsonValue::ofNumber(p.x), JsonValue::ofNumber(p.y)};
-  return out;
-}
-
-std::string measuresJson(const ModelInput& input, const LeafMeasures& m) {
-  JsonValue out = JsonValue::object();
-  out.add("model", JsonValue::ofText(input.name));
-  out.add("conventions",
-          JsonValue::ofText("length: petiole to apex; aspectRatio: length / width; circularity: 4 "
-                            "pi area / perimeter^2 (ImageJ); solidity: area / hull area (ImageJ); "
-                            "asymmetry: greatest distance to the mirror image; angles from the "
-                            "axis, clockwise; mm, degrees"));
-  out.add("petiole", placeJson(m.petiole));
-  for (const NamedMeasure& measure : namedMeasures(m)) {
-    out.add(measure.name, JsonValue::ofNumber(measure.value));
-  }
-  JsonValue margin = JsonValue::array();
-  for (const MarginPoint& point : m.margin) {
-    JsonValue& item = margin.items.emplace_back(JsonValue::object());
-    item.add("kind", JsonValue::ofText(kindOf(point)));
-    item.add("angle", JsonValue::ofNumber(point.angle));
-    item.add("length", JsonValue::ofNumber(point.length));
-    item.add("place", placeJson(point.place));
-  }
-  out.add("margin", std::move(margin));
-  return layOut(out, 1);
-}
-
-/// Tidy: one measure a row.
-std::string measuresCsv(const LeafMeasures& m) {
-  std::string out = "measure,value,unit,angle,x,y\n";
-  for (const NamedMeasure& measure : namedMeasures(m)) {
-    out +=
-        std::string(measure.name) + "," + numberText(measure.value) + "," + measure.unit + ",,,\n";
-  }
-  for (const MarginPoint& point : m.margin) {
-    out += std::string(kindOf(point)) + "," + numberText(point.length) + ",mm," +
-           numberText(point.angle) + "," + numberText(point.place.x) + "," +
-           numberText(point.place.y) + "\n";
-  }
-  return out;
-}
-
-std::string measuresText(const LeafMeasures& m) {
-  std::string out;
-  for (const NamedMeasure& measure : namedMeasures(m)) {
-    std::string name = measure.name;
-    name.resize(16, ' ');
-    out += name + text(measure.value) +
-           (*measure.unit != 0 ? std::string(" ") + measure.unit : "") + "\n";
-  }
-  for (const MarginPoint& point : m.margin) {
-    std::string name = kindOf(point);
-    name.resize(16, ' ');
-    out += name + text(point.length) + " mm at " + text(point.angle) + " degrees\n";
-  }
-  return out;
-}
 
 Status checkMeasureUsage(const MeasureCommandOptions& options) {
   if (options.isJson && options.isCsv) {
     return Error{ErrorCode::BadValue, "--json and --csv do not go together"};
   }
-  return std::monostate{};
+  return checkOutlineOptions(options.outline);
 }
 
 int drawMeasures(Console& console, const ModelInput& input, const FoldedState& state,
@@ -111,37 +47,55 @@ int drawMeasures(Console& console, const ModelInput& input, const FoldedState& s
   return writePicture(console, measureScene(state, measures, *appearance, scene), picture, *format);
 }
 
+/// Where radii are measured from, and how that was found.
+struct PetioleChoice {
+  std::optional<Vec2> place;
+  std::string from;
+};
+
+PetioleChoice petioleOf(const MeasureCommandOptions& options, const OutlineInput& outline,
+                        const FoldedState& state) {
+  if (!options.petiole.empty()) return {Vec2{options.petiole[0], options.petiole[1]}, "given"};
+  if (outline.origin) return {outline.origin, "origin of the file"};
+  if (petioleOfVeins(state.pattern)) return {std::nullopt, "where most creases meet on the margin"};
+  return {std::nullopt, "middle of the area; --petiole X Y says another place"};
+}
+
 int run(Console& console, const MeasureCommandOptions& options) {
   const Status usage = checkMeasureUsage(options);
   if (!usage) return fail(console, usage.error(), kBadUsage);
-  const Result<ModelInput> input = loadModel(console, options.model);
-  if (!input) return fail(console, input.error());
-  const Result<StepChoice> moment = chooseStep(*input, options.step);
+  const Result<OutlineInput> outline = loadOutline(console, options.model, options.outline);
+  if (!outline) return fail(console, outline.error());
+  const ModelInput& input = outline->input;
+  const Result<StepChoice> moment = chooseStep(input, options.step);
   if (!moment) return fail(console, moment.error(), kBadUsage);
-  const auto state = loadState(console, *input, *moment);
+  const auto state = loadState(console, input, *moment);
   if (!state) return fail(console, state.error());
-  MeasureOptions wanted;
-  if (!options.petiole.empty()) wanted.petiole = Vec2{options.petiole[0], options.petiole[1]};
-  wanted.axis = options.axis;
-  wanted.prominence = options.prominence;
+  const PetioleChoice petiole = petioleOf(options, *outline, **state);
+  const MeasureOptions wanted{petiole.place, options.axis, options.prominence};
   const Result<LeafMeasures> measures = measuresOf((*state)->pattern, wanted);
   if (!measures) {
-    return fail(console, {measures.error().code, input->name + ": " + measures.error().message});
+    return fail(console, {measures.error().code, input.name + ": " + measures.error().message});
   }
-  console.out << (options.isJson  ? measuresJson(*input, *measures)
-                  : options.isCsv ? measuresCsv(*measures)
-                                  : measuresText(*measures));
+  const MeasuredThing thing{input.name, petiole.from, options.prominence};
+  console.out << (options.isJson  ? measuresJson(thing, *measures)
+                  : options.isCsv ? measuresCsv(thing, *measures)
+                                  : measuresText(thing, *measures));
   if (options.picture.out.empty()) return kDone;
-  return drawMeasures(console, *input, **state, *measures, options.picture);
+  return drawMeasures(console, input, **state, *measures, options.picture);
 }
 
 }  // namespace
 
 void addMeasureCommand(CLI::App& app, Console& console, int& code) {
   CLI::App* command =
-      app.add_subcommand("measure", "Measure the outline: size, shape, lobes, symmetry");
+      app.add_subcommand("measure", "Measure a leaf or any outline: size, shape, lobes, symmetry");
   const auto options = std::make_shared<MeasureCommandOptions>();
-  command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
+  command
+      ->add_option("FILE", options->model,
+                   "a .kiri file, a crease pattern, or an outline of points (.csv, .txt): x and y "
+                   "in each line; - for standard input")
+      ->required();
   command->add_option("--step", options->step, "after this many steps (default: all)")
       ->type_name("N");
   command->add_flag("--json", options->isJson, "for programs");
@@ -149,7 +103,7 @@ void addMeasureCommand(CLI::App& app, Console& console, int& code) {
   command
       ->add_option("--petiole", options->petiole,
                    "where the blade begins, mm on the paper (default: where most veins meet on the "
-                   "margin)")
+                   "margin; of points, their origin where it lies at the outline)")
       ->type_name("X Y")
       ->expected(2);
   command
@@ -160,13 +114,15 @@ void addMeasureCommand(CLI::App& app, Console& console, int& code) {
       ->add_option("--prominence", options->prominence,
                    "how far a lobe must stand out, as part of the longest radius (default 0.02)")
       ->type_name("F");
+  addOutlineOptions(*command, options->outline);
   addPictureOptions(*command, options->picture);
   command->get_option("--output")->required(false);
   command->footer(
       "Examples:\n"
       "  kiri measure leaf.kiri\n"
       "  kiri measure leaf.kiri --csv > leaf.csv\n"
-      "  kiri measure leaf.kiri --json -o leaf-measured.png");
+      "  kiri measure leaf.kiri --json -o leaf-measured.png\n"
+      "  kiri measure outline.csv --mm-per-unit 10 -o outline.svg");
   command->callback([&console, &code, options] { code = run(console, *options); });
 }
 

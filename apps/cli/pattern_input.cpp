@@ -149,20 +149,6 @@ const char* nameOf(PatternFormat format) {
   return "";
 }
 
-JsonValue pointJson(Vec2 point) {
-  JsonValue out = JsonValue::array();
-  out.items = {JsonValue::ofNumber(point.x), JsonValue::ofNumber(point.y)};
-  return out;
-}
-
-JsonValue countJson(std::size_t count) { return JsonValue::ofNumber(static_cast<double>(count)); }
-
-JsonValue textsJson(const std::vector<std::string>& texts) {
-  JsonValue out = JsonValue::array();
-  for (const std::string& text : texts) out.items.push_back(JsonValue::ofText(text));
-  return out;
-}
-
 JsonValue repairsJson(const std::vector<Repair>& repairs) {
   JsonValue out = JsonValue::array();
   for (const Repair& repair : repairs) {

@@ -8,8 +8,8 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/input_text.h"
+#include "apps/cli/json_parts.h"
 #include "core/creases/repair.h"
-#include "io/json_tree.h"
 #include "io/patterns/pattern_file.h"
 
 namespace kiri::cli {
@@ -44,9 +44,6 @@ void noteRepairs(Console& console, const PatternInput& input);
 /// The name of a kind of repair in JSON: "merged_vertices".
 const char* nameOf(RepairKind kind);
 JsonValue repairsJson(const std::vector<Repair>& repairs);
-JsonValue textsJson(const std::vector<std::string>& texts);
-JsonValue pointJson(Vec2 point);
-JsonValue countJson(std::size_t count);
 
 /// "FOLD", "CP", "OPX", "SVG", "DXF".
 const char* nameOf(PatternFormat format);

@@ -7,17 +7,13 @@
 #include <numbers>
 
 #include "core/geometry/arc_range.h"
-#include "core/geometry/convex.h"
-#include "core/geometry/hull.h"
 #include "core/geometry/rigid.h"
+#include "core/leaf/outline_shape.h"
 #include "core/leaf/radial_extremes.h"
 #include "core/paper/contours.h"
 
 namespace kiri {
 namespace {
-
-/// Radii shorter than this part of the longest are the petiole itself, no sinus.
-constexpr double kAtPetiole = 0.02;
 
 Loop loopOf(const CreasePattern& pattern, const std::vector<EdgeUse>& contour) {
   Loop loop;
@@ -38,56 +34,6 @@ Result<std::vector<Loop>> contourLoops(const CreasePattern& pattern) {
   return Error{ErrorCode::BadValue, "the paper is in " + std::to_string(outer) +
                                         " pieces, and one outline is measured; keep one of them "
                                         "when cutting"};
-}
-
-/// The end of most hinges on the contour, of equals the lowest; none where no two meet.
-std::optional<Vec2> hingeCentre(const CreasePattern& pattern) {
-  std::vector<bool> onBorder(pattern.vertices.size(), false);
-  std::vector<std::size_t> hinges(pattern.vertices.size(), 0);
-  for (const Edge& edge : pattern.edges) {
-    for (const VertexId v : {edge.from, edge.to}) {
-      if (edge.kind == EdgeKind::Border) onBorder[v.index] = true;
-      if (edge.kind == EdgeKind::Hinge) ++hinges[v.index];
-    }
-  }
-  std::optional<VertexId> best;
-  for (std::size_t i = 0; i < pattern.vertices.size(); ++i) {
-    const VertexId v(i);
-    if (!onBorder[i] || hinges[i] < 2) continue;
-    const bool isBetter = !best || hinges[i] > hinges[best->index] ||
-                          (hinges[i] == hinges[best->index] && pattern[v].y < pattern[*best].y);
-    if (isBetter) best = v;
-  }
-  if (!best) return std::nullopt;
-  return pattern[*best];
-}
-
-/// The middle of the area of the flattened loops.
-Vec2 centroidOf(const std::vector<Loop>& loops, const Tolerance& tolerance) {
-  double area = 0;
-  Vec2 sum;
-  for (const Loop& loop : loops) {
-    for (const Arc& arc : loop) {
-      const auto parameters = flatteningParameters(arc, tolerance.flattening());
-      for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
-        const Vec2 a = pointAt(arc, parameters[i]);
-        const Vec2 b = pointAt(arc, parameters[i + 1]);
-        area += cross(a, b);
-        sum = sum + (a + b) * cross(a, b);
-      }
-    }
-  }
-  return sum / (3 * area);
-}
-
-std::vector<Vec2> flattened(const Loop& loop, const Tolerance& tolerance) {
-  std::vector<Vec2> points;
-  for (const Arc& arc : loop) {
-    for (const double t : flatteningParameters(arc, tolerance.flattening())) {
-      if (t < 1) points.push_back(pointAt(arc, t));
-    }
-  }
-  return points;
 }
 
 Vec2 farthestFrom(const Loop& contour, Vec2 centre) {
@@ -114,20 +60,35 @@ Arc inAxisFrame(const Arc& arc, Vec2 petiole, Vec2 axis) {
   return out;
 }
 
-/// Measures that need the outline in the axis's frame only.
-void measureAcross(LeafMeasures& m, const std::vector<Loop>& turned, const Tolerance& tolerance) {
-  Range across = rangeAlong(turned.front().front(), {1, 0});
-  Range along = rangeAlong(turned.front().front(), {0, 1});
-  for (const Arc& arc : turned.front()) {
-    const Range x = rangeAlong(arc, {1, 0});
-    const Range y = rangeAlong(arc, {0, 1});
-    across = {std::min(across.low, x.low), std::max(across.high, x.high)};
-    along = {std::min(along.low, y.low), std::max(along.high, y.high)};
+Range rangeOf(const Loop& contour, Vec2 direction) {
+  Range all = rangeAlong(contour.front(), direction);
+  for (const Arc& arc : contour) {
+    const Range range = rangeAlong(arc, direction);
+    all = {std::min(all.low, range.low), std::max(all.high, range.high)};
   }
+  return all;
+}
+
+/// How much more one half has than the other, as part of what both have on average.
+double unevenness(double left, double right) {
+  return left + right > 0 ? 2 * std::abs(right - left) / (left + right) : 0;
+}
+
+/// Extents along and across the axis. `turned` is in its frame, as in what follows.
+void measureExtents(LeafMeasures& m, const Loop& turned) {
+  const Range across = rangeOf(turned, {1, 0});
+  const Range along = rangeOf(turned, {0, 1});
+  m.leftWidth = std::max(-across.low, 0.0);
+  m.rightWidth = std::max(across.high, 0.0);
+  m.widthAsymmetry = unevenness(m.leftWidth, m.rightWidth);
   m.width = across.high - across.low;
   m.fullLength = along.high - along.low;
   m.aspectRatio = m.length / m.width;
-  // Along the axis a contour sweeps no area as seen from the origin, which lies on it.
+  m.fullAspectRatio = m.fullLength / m.width;
+}
+
+/// Along the axis a contour sweeps no area as seen from the origin, which lies on it.
+void measureHalves(LeafMeasures& m, const std::vector<Loop>& turned, const Tolerance& tolerance) {
   for (const Loop& loop : turned) {
     for (const Arc& arc : loop) {
       std::vector<double> cuts = lineMeetings(arc, {0, 0}, {0, 1}, tolerance);
@@ -140,19 +101,39 @@ void measureAcross(LeafMeasures& m, const std::vector<Loop>& turned, const Toler
       }
     }
   }
+  m.areaAsymmetry = unevenness(m.leftArea, m.rightArea);
 }
 
-/// Perimeter and what is compared with the circle and the convex hull. Needs the area.
-void measureShape(LeafMeasures& m, const Loop& contour, const Tolerance& tolerance) {
-  for (const Arc& arc : contour) m.perimeter += lengthOf(arc, tolerance.match());
-  const std::vector<Vec2> hull = convexHull(flattened(contour, tolerance));
-  double hullPerimeter = 0;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    hullPerimeter += distance(hull[i], hull[(i + 1) % hull.size()]);
+/// The angle at a point of the axis between the first places to either side where the line across
+/// the axis at `height` meets the margin.
+std::optional<double> openingAt(const Loop& turned, Vec2 vertex, double height,
+                                const Tolerance& tolerance) {
+  std::optional<double> left;
+  std::optional<double> right;
+  for (const Arc& arc : turned) {
+    for (const double t : lineMeetings(arc, {0, height}, {1, 0}, tolerance)) {
+      const double x = pointAt(arc, t).x;
+      if (x < 0) left = std::max(left.value_or(x), x);
+      if (x > 0) right = std::min(right.value_or(x), x);
+    }
   }
-  m.solidity = m.area / signedArea(hull);
-  m.perimeterRatio = m.perimeter / hullPerimeter;
-  m.circularity = 4 * std::numbers::pi * m.area / (m.perimeter * m.perimeter);
+  if (!left || !right) return std::nullopt;
+  const Vec2 a = Vec2{*left, height} - vertex;
+  const Vec2 b = Vec2{*right, height} - vertex;
+  return std::abs(angleDegrees(dot(a, b), cross(a, b)));
+}
+
+void measureShape(LeafMeasures& m, const std::vector<Loop>& contours, const Tolerance& tolerance) {
+  const OutlineShape shape = shapeOf(contours, tolerance);
+  m.area = shape.area;
+  m.perimeter = shape.perimeter;
+  m.major = shape.major;
+  m.minor = shape.minor;
+  m.feret = shape.feret;
+  m.circularity = 4 * std::numbers::pi * shape.area / (shape.perimeter * shape.perimeter);
+  m.roundness = 4 * shape.area / (std::numbers::pi * shape.major * shape.major);
+  m.solidity = shape.area / shape.hullArea;
+  m.perimeterRatio = shape.perimeter / shape.hullPerimeter;
 }
 
 double distanceTo(const Loop& contour, Vec2 p) {
@@ -173,31 +154,41 @@ double asymmetryOf(const Loop& turned, const Tolerance& tolerance) {
   return worst;
 }
 
-void measureMargin(LeafMeasures& m, const Loop& turned, double prominence) {
-  double longest = 0;
-  for (const Arc& arc : turned) longest = std::max(longest, length(arc.start));
-  for (const RadialExtreme& e : radialExtremes(turned, {0, 0}, prominence * longest)) {
-    if (!e.isFarthest && e.radius < kAtPetiole * longest) continue;
-    const Vec2 back = m.petiole + m.axis * e.place.y - perpendicular(m.axis) * e.place.x;
-    m.margin.push_back({e.isFarthest, back, angleDegrees(e.place.y, e.place.x), e.radius});
-    ++(e.isFarthest ? m.lobeCount : m.sinusCount);
+/// Where the axis ends: of a direction that was given the tip nearest to it, else the end of the
+/// outline.
+Vec2 apexAlong(const LeafMeasures& m, const Loop& contour) {
+  const MarginPoint* best = nullptr;
+  for (const MarginPoint& point : m.margin) {
+    if (!point.isLobe || std::abs(point.angle) >= 90) continue;
+    if (best == nullptr || std::abs(point.angle) < std::abs(best->angle)) best = &point;
   }
-  std::sort(m.margin.begin(), m.margin.end(),
-            [](const MarginPoint& a, const MarginPoint& b) { return a.angle < b.angle; });
+  if (best != nullptr) return best->place;
+  return m.petiole + m.axis * (rangeOf(contour, m.axis).high - dot(m.petiole, m.axis));
 }
 
-/// Petiole, axis and length.
-void findAxis(LeafMeasures& m, const CreasePattern& pattern, const std::vector<Loop>& loops,
+/// Petiole, axis, margin and length; returns the apex.
+Vec2 findAxis(LeafMeasures& m, const CreasePattern& pattern, const std::vector<Loop>& loops,
               const MeasureOptions& options) {
-  std::optional<Vec2> petiole = options.petiole ? options.petiole : hingeCentre(pattern);
-  m.petiole = petiole ? *petiole : centroidOf(loops, pattern.tolerance);
-  const Vec2 apex = farthestFrom(loops.front(), m.petiole);
-  m.axis = normalized(apex - m.petiole);
+  const Loop& contour = loops.front();
+  const std::optional<Vec2> petiole = options.petiole ? options.petiole : petioleOfVeins(pattern);
+  m.petiole = petiole ? *petiole : shapeOf(loops, pattern.tolerance).centroid;
+  const Vec2 farthest = farthestFrom(contour, m.petiole);
+  m.axis = normalized(farthest - m.petiole);
   if (options.axis) {
     const CosSin w = cosSinDegrees(*options.axis);
     m.axis = {w.sin, w.cos};
   }
+  m.margin = marginPoints(contour, {m.petiole, m.axis},
+                          options.prominence * distance(farthest, m.petiole));
+  for (const MarginPoint& point : m.margin) {
+    ++(point.isLobe ? m.lobeCount : m.sinusCount);
+    if (point.isLobe) m.royerToothCount += point.isTooth ? 1 : 0;
+    if (point.isLobe) m.royerLobeCount += point.reach > kLobeReach ? 1 : 0;
+  }
+  m.oiv = oivMeasures(pattern, m.petiole, m.margin);
+  const Vec2 apex = options.axis ? apexAlong(m, contour) : farthest;
   m.length = dot(apex - m.petiole, m.axis);
+  return apex;
 }
 
 Status checkOptions(const MeasureOptions& options) {
@@ -209,23 +200,49 @@ Status checkOptions(const MeasureOptions& options) {
 
 }  // namespace
 
+std::optional<Vec2> petioleOfVeins(const CreasePattern& pattern) {
+  std::vector<bool> onBorder(pattern.vertices.size(), false);
+  std::vector<std::size_t> hinges(pattern.vertices.size(), 0);
+  for (const Edge& edge : pattern.edges) {
+    for (const VertexId v : {edge.from, edge.to}) {
+      if (edge.kind == EdgeKind::Border) onBorder[v.index] = true;
+      if (edge.kind == EdgeKind::Hinge) ++hinges[v.index];
+    }
+  }
+  std::optional<VertexId> best;
+  bool isTie = false;
+  for (std::size_t i = 0; i < pattern.vertices.size(); ++i) {
+    const VertexId v(i);
+    if (!onBorder[i] || hinges[i] < 2) continue;
+    if (best && hinges[i] == hinges[best->index]) isTie = true;
+    if (best && hinges[i] <= hinges[best->index]) continue;
+    best = v;
+    isTie = false;
+  }
+  if (!best || isTie) return std::nullopt;
+  return pattern[*best];
+}
+
 Result<LeafMeasures> measuresOf(const CreasePattern& pattern, const MeasureOptions& options) {
   if (Status status = checkOptions(options); !status) return status.error();
   const Result<std::vector<Loop>> loops = contourLoops(pattern);
   if (!loops) return loops.error();
   const Tolerance& tolerance = pattern.tolerance;
-  const Loop& contour = loops->front();
   LeafMeasures m;
-  findAxis(m, pattern, *loops, options);
+  const Vec2 apex = findAxis(m, pattern, *loops, options);
   std::vector<Loop> turned = *loops;
   for (Loop& loop : turned) {
     for (Arc& arc : loop) arc = inAxisFrame(arc, m.petiole, m.axis);
   }
-  m.area = areaOf(pattern);
-  measureShape(m, contour, tolerance);
-  measureAcross(m, turned, tolerance);
-  m.asymmetry = asymmetryOf(turned.front(), tolerance);
-  measureMargin(m, turned.front(), options.prominence);
+  const Loop& contour = turned.front();
+  measureShape(m, *loops, tolerance);
+  measureExtents(m, contour);
+  measureHalves(m, turned, tolerance);
+  m.asymmetry = asymmetryOf(contour, tolerance);
+  const Vec2 d = apex - m.petiole;
+  const Vec2 turnedApex{-cross(m.axis, d), dot(m.axis, d)};
+  m.apexAngle = openingAt(contour, turnedApex, 0.75 * m.length, tolerance);
+  m.baseAngle = openingAt(contour, {0, 0}, 0.25 * m.length, tolerance);
   return m;
 }
 

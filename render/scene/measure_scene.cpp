@@ -7,6 +7,8 @@
 #include <cstdio>
 
 #include "core/paper/boxes.h"
+#include "core/paper/contours.h"
+#include "render/scene/label_places.h"
 
 namespace kiri {
 namespace {
@@ -14,13 +16,16 @@ namespace {
 constexpr Color kAxisColor{60, 60, 60};
 constexpr Color kLobeColor{200, 40, 40};
 constexpr Color kSinusColor{30, 80, 200};
+constexpr Color kCreaseColor{170, 170, 170};
 /// Sizes on the page, as parts of the leaf's, so that small and large leaves look alike.
 constexpr double kTextPart = 0.028;
 constexpr double kLinePart = 0.002;
+constexpr double kBorderPart = 0.003;
 /// Room for numbers beside the leaf, in heights of the text.
 constexpr double kRoom = 9;
-/// From one line of numbers to the next, in heights of the text.
-constexpr double kLinePitch = 1.35;
+/// Width of a letter in the label, and how far off a tooth its label may stand, in heights too.
+constexpr double kLetterWidth = 0.56;
+constexpr double kMinorReach = 12;
 /// How much white is mixed into the paper, so that lines and numbers stand out.
 constexpr double kWhite = 0.75;
 
@@ -37,6 +42,33 @@ std::string rounded(double value, int decimals) {
   return buffer;
 }
 
+/// The paper's borders on the page, in sides no longer than `side`.
+std::vector<std::vector<Vec2>> borderLoops(const CreasePattern& pattern, const Affine& toScene,
+                                           double side) {
+  std::vector<std::vector<Vec2>> loops;
+  for (const auto& contour : contoursOf(pattern)) {
+    std::vector<Vec2>& loop = loops.emplace_back();
+    for (const EdgeUse use : contour) {
+      const Arc arc = transformed(toScene, arcOf(pattern, use));
+      const int count = static_cast<int>(std::ceil(distance(arc.start, arc.end) / side)) + 1;
+      for (int i = 0; i < count; ++i) {
+        loop.push_back(pointAt(arc, static_cast<double>(i) / count));
+      }
+    }
+  }
+  return loops;
+}
+
+/// Creases are but a hint here: the colours are those of lobes and sinuses.
+void paleCreases(Scene& scene) {
+  for (Group& group : scene.groups) {
+    if (group.id == "print" || group.id == "cut") continue;
+    for (Item& item : group.items) {
+      if (auto* stroke = std::get_if<StrokeItem>(&item.shape)) stroke->stroke.color = kCreaseColor;
+    }
+  }
+}
+
 class MeasureItems {
  public:
   MeasureItems(const LeafMeasures& measures, const Affine& toScene, double size)
@@ -45,35 +77,36 @@ class MeasureItems {
   Group axis() const {
     Group group{"axis", "axis", {}, {}};
     const Vec2 apex = m_.petiole + m_.axis * m_.length;
-    group.items.push_back(line(m_.petiole, apex, kAxisColor, true));
+    group.items.push_back(
+        line(toScene_.apply(m_.petiole), toScene_.apply(apex), kAxisColor, 1, true));
     return group;
   }
 
   Group rays(bool ofLobes) const {
     Group group{ofLobes ? "lobes" : "sinuses", ofLobes ? "lobes" : "sinuses", {}, {}};
-    for (const MarginPoint& point : m_.margin) {
+    for (std::size_t i = 0; i < m_.margin.size(); ++i) {
+      const MarginPoint& point = m_.margin[i];
       if (point.isLobe != ofLobes) continue;
-      group.items.push_back(
-          line(m_.petiole, point.place, ofLobes ? kLobeColor : kSinusColor, false));
+      group.items.push_back(line(toScene_.apply(m_.petiole), toScene_.apply(point.place),
+                                 colorOf(point), isMinor(i) ? 0.5 : 1, false));
     }
     return group;
   }
 
-  Group numbers(double bottom) const {
+  /// Labels that find a place: lobes first, then sinuses, then what teeth leave room for.
+  Group numbers(LabelPlaces places, const Vec2& caption) const {
     Group group{"numbers", "numbers", {}, {}};
-    for (const double side : {-1.0, 1.0}) {
-      for (const Label& label : column(side)) addLabel(label, side, group.items);
+    for (int turn = 0; turn < 3; ++turn) {
+      for (std::size_t i = 0; i < m_.margin.size(); ++i) {
+        const int wanted = isMinor(i) ? 2 : m_.margin[i].isLobe ? 0 : 1;
+        if (wanted == turn) addLabel(i, places, group);
+      }
     }
-    for (const MarginPoint& point : m_.margin) {
-      if (isOnAxis(point)) group.items.push_back(labelBeyond(point));
-    }
-    const double height = kTextPart * size_;
     const std::string text = "length " + rounded(m_.length, 1) + " mm, width " +
                              rounded(m_.width, 1) + " mm, area " + rounded(m_.area / 100, 2) +
                              " cm\u00b2, perimeter " + rounded(m_.perimeter, 1) + " mm";
-    const double middle = toScene_.apply(m_.petiole).x;
     group.items.push_back(
-        {TextItem{{middle, bottom}, text, height, TextAnchor::Middle, false, kAxisColor},
+        {TextItem{caption, text, kTextPart * size_, TextAnchor::Middle, false, kAxisColor},
          "measure",
          "",
          {}});
@@ -81,90 +114,43 @@ class MeasureItems {
   }
 
  private:
-  Item line(Vec2 from, Vec2 to, Color color, bool isDashed) const {
+  static Color colorOf(const MarginPoint& point) { return point.isLobe ? kLobeColor : kSinusColor; }
+
+  /// A tooth, or a sinus beside one.
+  bool isMinor(std::size_t i) const {
+    const auto isTooth = [this](std::size_t at) {
+      return at < m_.margin.size() && m_.margin[at].isTooth;
+    };
+    return isTooth(i) || (!m_.margin[i].isLobe && (isTooth(i + 1) || (i > 0 && isTooth(i - 1))));
+  }
+
+  Item line(Vec2 from, Vec2 to, Color color, double weight, bool isDashed) const {
     Stroke stroke;
     stroke.color = color;
-    stroke.width = kLinePart * size_;
+    stroke.width = weight * kLinePart * size_;
     if (isDashed) stroke.dashes = {6 * stroke.width, 4 * stroke.width};
-    const Arc arc = transformed(toScene_, Arc::line(from, to));
-    return {StrokeItem{{{arc}}, stroke}, "measure", "", {}};
+    return {StrokeItem{{{Arc::line(from, to)}}, stroke}, "measure", "", {}};
   }
 
-  bool isOnAxis(const MarginPoint& point) const {
-    return std::abs(cross(m_.axis, point.place - m_.petiole)) < kTextPart * m_.length / 2;
-  }
-
-  TextItem numbersOf(const MarginPoint& point, Vec2 at, TextAnchor anchor) const {
-    TextItem text;
-    text.at = at - Vec2{0, kTextPart * size_ / 3};
-    text.text = rounded(std::abs(point.angle), 1) + "\u00b0 " + rounded(point.length, 1);
-    text.height = kTextPart * size_;
-    text.anchor = anchor;
-    text.color = point.isLobe ? kLobeColor : kSinusColor;
-    return text;
-  }
-
-  /// Beyond the end of the ray: for those on the axis, as the apex.
-  Item labelBeyond(const MarginPoint& point) const {
-    const Vec2 outward = normalized(toScene_.direction(point.place - m_.petiole));
-    const Vec2 at = toScene_.apply(point.place) + outward * (kTextPart * size_);
-    return {numbersOf(point, at, TextAnchor::Middle), "measure", "", {}};
-  }
-
-  /// A lobe tip or sinus on the page, and the height at which its numbers stand beside the leaf.
-  struct Label {
-    const MarginPoint* point = nullptr;
-    Vec2 end;
-    double y = 0;
-  };
-
-  /// Those of one side from the bottom up, moved apart where they would touch, and together to
-  /// where they belong.
-  std::vector<Label> column(double side) const {
-    std::vector<Label> labels;
-    const double middle = toScene_.apply(m_.petiole).x;
-    for (const MarginPoint& point : m_.margin) {
-      const Vec2 end = toScene_.apply(point.place);
-      if (!isOnAxis(point) && (end.x < middle ? -1 : 1) == side)
-        labels.push_back({&point, end, end.y});
-    }
-    std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
-      return a.end.y != b.end.y ? a.end.y < b.end.y : a.end.x < b.end.x;
-    });
-    const double apart = kLinePitch * kTextPart * size_;
-    double lift = 0;
-    for (std::size_t i = 1; i < labels.size(); ++i) {
-      labels[i].y = std::max(labels[i].y, labels[i - 1].y + apart);
-      lift += (labels[i].y - labels[i].end.y) / static_cast<double>(labels.size());
-    }
-    for (Label& label : labels) label.y -= lift;
-    return labels;
-  }
-
-  /// Angle and length beside the leaf, and a thin line that leads to them.
-  void addLabel(const Label& label, double side, std::vector<Item>& items) const {
+  /// Angle and length beyond the end of the ray, where there is room for them.
+  void addLabel(std::size_t i, LabelPlaces& places, Group& group) const {
+    const MarginPoint& point = m_.margin[i];
     const double height = kTextPart * size_;
-    const Box box = pageBox();
-    const double edge = side < 0 ? box.low.x : box.high.x;
-    const TextItem text = numbersOf(*label.point, {edge + side * height, label.y},
-                                    side < 0 ? TextAnchor::End : TextAnchor::Start);
-    Stroke stroke;
-    stroke.color = text.color;
-    stroke.width = kLinePart * size_ / 2;
-    const Arc leader = Arc::line(label.end, {edge + side * height * 0.7, label.y});
-    items.push_back({StrokeItem{{{leader}}, stroke}, "measure", "", {}});
-    items.push_back({text, "measure", "", {}});
-  }
-
-  /// What tips and sinuses reach on the page.
-  Box pageBox() const {
-    Box box{toScene_.apply(m_.petiole), toScene_.apply(m_.petiole)};
-    for (const MarginPoint& point : m_.margin) {
-      const Vec2 p = toScene_.apply(point.place);
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    return box;
+    const Vec2 end = toScene_.apply(point.place);
+    const Vec2 outward = normalized(toScene_.direction(point.place - m_.petiole));
+    const std::string number =
+        rounded(std::abs(point.angle), 1) + "\u00b0 " + rounded(point.length, 1);
+    const Vec2 room{kLetterWidth * height * static_cast<double>(number.size()), 1.2 * height};
+    const auto place = places.take(end, outward, room, isMinor(i) ? kMinorReach * height : size_);
+    if (!place) return;
+    if (place->isAway) group.items.push_back(line(end, place->near, colorOf(point), 0.5, true));
+    TextItem text;
+    text.at = place->middle - Vec2{0, height / 3};
+    text.text = number;
+    text.height = height;
+    text.anchor = TextAnchor::Middle;
+    text.color = colorOf(point);
+    group.items.push_back({text, "measure", "", {}});
   }
 
   const LeafMeasures& m_;
@@ -181,12 +167,19 @@ Scene measureScene(const FoldedState& state, const LeafMeasures& measures,
   const Box box = paperBoxOf(state.pattern);
   const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y) * options.scale;
   const double height = kTextPart * size;
+  pale.drawnWidth = std::min(pale.drawnWidth, kBorderPart * size);
   options.margin = std::max(options.margin, kRoom * height);
   Scene scene = patternScene(state, pale, options);
-  const MeasureItems items(measures, patternPlacement(state.pattern, options), size);
+  paleCreases(scene);
+  const Affine toScene = patternPlacement(state.pattern, options);
+  const Vec2 caption{scene.width / 2, 2 * height};
+  const Box free{{height / 2, caption.y + 2 * height},
+                 {scene.width - height / 2, scene.height - height / 2}};
+  const LabelPlaces places(borderLoops(state.pattern, toScene, height / 2), free);
+  const MeasureItems items(measures, toScene, size);
+  for (const bool ofLobes : {false, true}) scene.groups.push_back(items.rays(ofLobes));
   scene.groups.push_back(items.axis());
-  for (const bool ofLobes : {true, false}) scene.groups.push_back(items.rays(ofLobes));
-  scene.groups.push_back(items.numbers(2 * height));
+  scene.groups.push_back(items.numbers(places, caption));
   return scene;
 }
 
