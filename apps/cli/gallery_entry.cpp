@@ -10,10 +10,11 @@
 #include "apps/cli/film_options.h"
 #include "apps/cli/film_output.h"
 #include "apps/cli/gallery_leaf.h"
-#include "apps/cli/gallery_moments.h"
 #include "apps/cli/gallery_plan.h"
 #include "apps/cli/gallery_scenes.h"
 #include "apps/cli/picture_options.h"
+#include "apps/cli/timeline_replay.h"
+#include "core/model/moments.h"
 #include "io/file.h"
 #include "io/gltf_animation.h"
 #include "io/kiri_writer.h"
@@ -63,11 +64,9 @@ class EntryWriter {
   }
   Result<GalleryPicture> picture(const Scene& scene, const std::string& label,
                                  const std::string& name);
-  Status pictures(const Timeline& timeline, const GalleryMoments& moments,
-                  const Appearance& appearance);
+  Status pictures(const Timeline& timeline, const Moments& moments, const Appearance& appearance);
   Status stepSheet(const Timeline& timeline, const Appearance& appearance);
-  Status leaf(const Timeline& timeline, const GalleryMoments& moments,
-              const Appearance& appearance);
+  Status leaf(const Timeline& timeline, const Moments& moments, const Appearance& appearance);
   /// The model with its textures beside it, whose paths become those of the copies.
   Result<Model> withTextures();
   Status texture(PaperSide& side, const std::string& name);
@@ -95,7 +94,7 @@ Result<GalleryPicture> EntryWriter::picture(const Scene& scene, const std::strin
   return GalleryPicture{label, name, options_.pixels, options_.pixels};
 }
 
-Status EntryWriter::pictures(const Timeline& timeline, const GalleryMoments& moments,
+Status EntryWriter::pictures(const Timeline& timeline, const Moments& moments,
                              const Appearance& appearance) {
   const auto scenes = galleryScenesOf(timeline, steps(), moments, appearance, progress());
   if (!scenes) return scenes.error();
@@ -118,7 +117,7 @@ Status EntryWriter::stepSheet(const Timeline& timeline, const Appearance& appear
   return status;
 }
 
-Status EntryWriter::leaf(const Timeline& timeline, const GalleryMoments& moments,
+Status EntryWriter::leaf(const Timeline& timeline, const Moments& moments,
                          const Appearance& appearance) {
   const auto measures =
       galleryLeafOf(input_.model, timeline.stateAfter(steps()), moments.isOpenAtTheEnd);
@@ -183,7 +182,7 @@ Status EntryWriter::write(const Timeline& timeline, const Appearance& appearance
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return Error{ErrorCode::Unwritable, folder + ": " + error.message()};
-  const GalleryMoments moments = galleryMomentsOf(input_.model, timeline);
+  const Moments moments = momentsOf(input_.model, timeline);
   Status status = pictures(timeline, moments, appearance);
   if (status) {
     status = download("crease pattern in true size (SVG)", "pattern.svg",

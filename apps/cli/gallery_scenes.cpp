@@ -105,7 +105,7 @@ class GalleryScenes {
 }  // namespace
 
 Result<std::vector<GalleryScene>> galleryScenesOf(const Timeline& timeline, std::size_t steps,
-                                                  const GalleryMoments& moments,
+                                                  const Moments& moments,
                                                   const Appearance& appearance,
                                                   const Progress& progress) {
   const FoldedState& finished = timeline.stateAfter(steps);
@@ -133,7 +133,7 @@ Result<std::vector<GalleryScene>> galleryScenesOf(const Timeline& timeline, std:
 }
 
 std::size_t galleryThumbnailOf(const std::vector<GalleryScene>& scenes, const Model& model,
-                               const GalleryMoments& moments) {
+                               const Moments& moments) {
   const bool isCut = std::any_of(model.steps.begin(), model.steps.end(), [](const Step& step) {
     return std::holds_alternative<CurveCutStep>(step.action) ||
            std::holds_alternative<StraightCutStep>(step.action);

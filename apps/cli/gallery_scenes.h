@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/gallery_moments.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/model/moments.h"
 #include "core/model/timeline.h"
 #include "render/scene/appearance.h"
 #include "render/scene/scene.h"
@@ -26,14 +26,14 @@ constexpr double kGalleryPage = 127;
 /// The finished model from both sides, folded, half unfolded, unfolded, and its crease pattern;
 /// what would show the same as another is left out. Errors: Cancelled.
 Result<std::vector<GalleryScene>> galleryScenesOf(const Timeline& timeline, std::size_t steps,
-                                                  const GalleryMoments& moments,
+                                                  const Moments& moments,
                                                   const Appearance& appearance,
                                                   const Progress& progress);
 
 /// Which of the scenes stands for the model: the finished one; half unfolded where that is a whole
 /// sheet with creases, which shows nothing of it.
 std::size_t galleryThumbnailOf(const std::vector<GalleryScene>& scenes, const Model& model,
-                               const GalleryMoments& moments);
+                               const Moments& moments);
 
 /// Why the half unfolded model is not shown as it should be; empty where it is.
 std::string halfWayRemark(HalfWay halfWay);

@@ -28,6 +28,16 @@ namespace {
     QT_TRANSLATE_NOOP(
         "examples/gallery",
         "Folded, cut through all layers with straight cuts and curves, and unfolded."),
+    QT_TRANSLATE_NOOP("examples/gallery",
+                      "Species of the thesis, from angles and lengths measured on leaves or taken "
+                      "from descriptions; the margin is one curve, cut through all layers."),
+    QT_TRANSLATE_NOOP("examples/gallery",
+                      "Folded step by step; where many creases would have to close at once, paper "
+                      "is torn or closes as a whole, and the notes say so."),
+    QT_TRANSLATE_NOOP("examples/gallery", "One straight cut"),
+    QT_TRANSLATE_NOOP("examples/gallery",
+                      "Folded so that a single straight cut makes the shape: the letters of Figure "
+                      "7.21, and the star of five points."),
     QT_TRANSLATE_NOOP("examples/gallery", "Crease patterns"),
     QT_TRANSLATE_NOOP("examples/gallery",
                       "Patterns drawn from their geometry and folded as a whole."),

@@ -1147,6 +1147,22 @@
         <source>Patterns drawn from their geometry and folded as a whole.</source>
         <translation>Muster, aus ihrer Geometrie gezeichnet und als Ganzes gefaltet.</translation>
     </message>
+    <message>
+        <source>Species of the thesis, from angles and lengths measured on leaves or taken from descriptions; the margin is one curve, cut through all layers.</source>
+        <translation>Arten aus der Arbeit, nach Winkeln und Längen, die an Blättern gemessen oder Beschreibungen entnommen sind; der Rand ist eine einzige Kurve, durch alle Lagen geschnitten.</translation>
+    </message>
+    <message>
+        <source>Folded step by step; where many creases would have to close at once, paper is torn or closes as a whole, and the notes say so.</source>
+        <translation>Schritt für Schritt gefaltet; wo sich viele Falten zugleich schließen müssten, wird gerissen oder das Ganze auf einmal geschlossen, und die Notizen sagen es.</translation>
+    </message>
+    <message>
+        <source>One straight cut</source>
+        <translation>Ein gerader Schnitt</translation>
+    </message>
+    <message>
+        <source>Folded so that a single straight cut makes the shape: the letters of Figure 7.21, and the star of five points.</source>
+        <translation>So gefaltet, dass ein einziger gerader Schnitt die Form ergibt: die Buchstaben aus Figure 7.21 und der fünfzackige Stern.</translation>
+    </message>
 </context>
 <context>
     <name>kiri::desktop</name>

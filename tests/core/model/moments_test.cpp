@@ -60,6 +60,18 @@ TEST(Moments, UnfoldedIsAllThePaperThatIsLeftAtRest) {
     EXPECT_EQ(distance(pose.apply(Vec2{1, 2}), Vec3{1, 2, 0}), 0) << "the paper frame";
 }
 
+TEST(Moments, AFoldThatIsHalfUnfoldedStandsUpright) {
+  const Moments moments = momentsOfText("square 100; fold one valley 50,-5 50,105 left");
+  ASSERT_EQ(moments.halfWay, HalfWay::Unfolding);
+  EXPECT_NEAR(anglesOf(*moments.half).back(), 90, 1e-9);
+}
+
+TEST(Moments, OfSeveralFoldedMomentsThatOfMostFoldsCounts) {
+  const std::string text = std::string(kFan) + "; unfold all; fold three valley -5,25 105,25 left";
+  EXPECT_EQ(momentsOfText(text).folded, 2u);
+  EXPECT_FALSE(momentsOfText(text).isOpenAtTheEnd);
+}
+
 TEST(Moments, WhereNothingMovesThereIsNoHalf) {
   const Moments moments = momentsOfText("square 100; edge 0,50 100,50");
   EXPECT_EQ(moments.halfWay, HalfWay::None);
