@@ -32,10 +32,9 @@ Result<LeafModel> leafModelOf(const LeafRecipe& recipe) {
   model.back = recipe.back;
   if (recipe.secondary.empty()) {
     addSimpleFolds(plan, model);
-  } else if (isTorn(recipe)) {
-    addTornFolds(plan, model);
-  } else if (Status status = addPattern(plan, model); !status) {
-    return status.error();
+  } else {
+    const Status status = isTorn(recipe) ? addTornFolds(plan, model) : addPattern(plan, model);
+    if (!status) return status.error();
   }
   if (!isTorn(recipe)) model.opening = Sequence::Together;
   return leaf;

@@ -13,6 +13,9 @@ namespace {
 /// Paper that is left around the leaf, as part of the mid-vein's length.
 constexpr double kRoom = 0.08;
 constexpr double kCentimetre = 10;
+/// Sides are whole centimetres, of small leaves tenths or hundredths: this part of the side at
+/// most.
+constexpr double kCoarse = 0.1;
 /// A fold line that ends nearer than this part of the width to a corner would be drawn to the
 /// corner.
 constexpr double kCorner = 0.005;
@@ -36,11 +39,13 @@ LeafSheet::LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half) : midVein
   const double high = 1 + kRoom + (isInside ? low + kRoom : 0);
   const double needed = std::max(2 * (wide + kRoom), high) * midVein_;
   near_ = kNear * shortest * midVein_;
-  const double least = std::ceil(needed / kCentimetre);
+  double step = kCentimetre;
+  while (step > needed * kCoarse) step /= 10;
+  const double least = std::ceil(needed / step);
   for (int more = 0; more < kMostTries; ++more) {
     // From the middle of a side a larger square looks the same; only a higher sheet does not.
-    width_ = (isInside ? least + more : least) * kCentimetre;
-    height_ = (least + more) * kCentimetre;
+    width_ = (isInside ? least + more : least) * step;
+    height_ = (least + more) * step;
     const double spare = height_ - high * midVein_;
     petiole_ = {width_ / 2, isInside ? (low + kRoom) * midVein_ + spare / 2 : 0};
     if (isClearOfCorners(half)) break;

@@ -8,9 +8,9 @@
 
 namespace kiri {
 
-/// The least square, in whole centimetres, that holds the leaf with some room, and whose corners no
-/// crease runs into; a little higher than wide where a square would have such corners however
-/// large. Sides: 1 is the right half of the leaf, -1 the left. Lengths in mm.
+/// The least square, in whole centimetres (small ones finer), that holds the leaf with some room,
+/// and whose corners no crease runs into; a little higher than wide where a square would have such
+/// corners however large. Sides: 1 is the right half of the leaf, -1 the left. Lengths in mm.
 class LeafSheet {
  public:
   LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half);

@@ -44,8 +44,9 @@ Step marginCut(const LeafPlan& plan, double turn);
 
 /// Folds one by one (thesis Figures 7.2 and 7.3).
 void addSimpleFolds(const LeafPlan& plan, Model& model);
-/// With a tear along the mid-vein (thesis Fig 7.4).
-void addTornFolds(const LeafPlan& plan, Model& model);
+/// With a tear along the mid-vein (thesis Fig 7.4). Errors: BadValue - creases that meet inside the
+/// sheet.
+Status addTornFolds(const LeafPlan& plan, Model& model);
 /// All creases at once, as in the bud; no tear; on a sheet cut roughly around the blade. Errors:
 /// those of bladeOutline.
 Status addPattern(const LeafPlan& plan, Model& model);

@@ -23,6 +23,12 @@ Status checkAngles(const SecondaryLobes& pair, const std::string& of) {
     return badLobe("secondary lobes leave a vein between petiole (0) and tip (1); those of " + of +
                    " not at " + text(pair.at));
   }
+  if (a2 > 0 && a1 > a2) {
+    return badLobe("the secondary anti-vein of " + of + " (" + text(a1) +
+                   " degrees) stands behind " + "its vein (" + text(a2) +
+                   "): no crease would end in the sinus between the two " +
+                   "tips; give it a smaller angle than the vein");
+  }
   if (!(a1 > 0 && a2 > a1 && a2 < kRightAngle)) {
     return badLobe("the angles of secondary anti-vein (" + text(a1) + ") and vein (" + text(a2) +
                    ") of " + of + " must rise from its vein and stay below 90 degrees");

@@ -1,5 +1,6 @@
 // Secondary lobes by tearing, as the thesis makes them (Fig 7.4).
 // SPDX-License-Identifier: MIT
+#include "core/base/text.h"
 #include "core/leaf/leaf_steps.h"
 
 namespace kiri {
@@ -25,9 +26,32 @@ Step secondaryFold(const LeafPlan& plan, const char* name, double angle, int sid
           ""};
 }
 
+bool doCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const bool isParted = cross(b - a, c - a) * cross(b - a, d - a) < 0;
+  return isParted && cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+/// On a whole sheet the creases run to its border, and none may meet another on the way.
+Status checkApart(const LeafPlan& plan) {
+  const LeafSheet& sheet = plan.sheet;
+  const double angle = plan.recipe.secondary.front().vein.angle;
+  const Vec2 end = sheet.rimFrom(plan.junction(), angle, 1);
+  for (std::size_t ray = 1; ray < plan.fan.size(); ++ray) {
+    const Vec2 rim = sheet.rimFrom(sheet.petiole(), plan.fan[ray].angle, 1);
+    if (!doCross(plan.junction(), end, sheet.petiole(), rim)) continue;
+    return Error{ErrorCode::BadValue,
+                 "the secondary vein of the mid-lobe (" + text(angle) + " degrees) meets the " +
+                     plan.fan[ray].name + " (" + text(plan.fan[ray].angle) +
+                     " degrees) inside the sheet, so neither can be folded; make it steeper, or "
+                     "leave out \"torn\": on a sheet cut around the blade they stay apart"};
+  }
+  return std::monostate{};
+}
+
 }  // namespace
 
-void addTornFolds(const LeafPlan& plan, Model& model) {
+Status addTornFolds(const LeafPlan& plan, Model& model) {
+  if (Status status = checkApart(plan); !status) return status;
   const SecondaryLobes& lobes = plan.recipe.secondary.front();
   model.steps = openingSteps(plan);
   TearStep tear;
@@ -49,6 +73,7 @@ void addTornFolds(const LeafPlan& plan, Model& model) {
   model.steps.push_back(openLeaf(plan, Sequence::InOrder));
   model.steps.push_back(
       {MendStep{}, "Mend the tear", "Its sides lie together again: the tear cost no paper.", ""});
+  return std::monostate{};
 }
 
 }  // namespace kiri

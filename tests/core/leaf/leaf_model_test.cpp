@@ -183,11 +183,30 @@ TEST(LeafModel, ASecondaryPairThatCannotBeFoldedIsRefusedWithTheRemedy) {
       "first anti-vein, which is 15.3 beside it; make it shorter or steeper, or let it leave the "
       "vein farther out");
   recipe = sugarMaple();
+  recipe.secondary[1].antiVein.angle = 40;
+  expectRefused(recipe,
+                "the secondary anti-vein of lobe 1 (40 degrees) stands behind its vein (32.2): no "
+                "crease would end in the sinus between the two tips; give it a smaller angle than "
+                "the vein");
+  recipe = sugarMaple();
   recipe.secondary[0].vein.length = .4;
   expectRefused(recipe,
                 "from the junction on the mid-lobe, the outer part of its vein (0.5845), the "
                 "secondary vein (0.4) and its anti-vein (0.408) must be shorter from one to the "
                 "next");
+}
+
+TEST(LeafModel, AnglesThatOverlapAreRefusedWithTheRays) {
+  LeafRecipe recipe = sycamore();
+  recipe.antiVeins[1].angle = 41;
+  expectRefused(recipe,
+                "the angles overlap: the second anti-vein (41 degrees) must lie farther from the "
+                "mid-vein than the second vein (42 degrees)");
+  recipe = sycamore();
+  recipe.antiVeins.pop_back();
+  expectRefused(recipe,
+                "there must be one anti-vein before each vein beside the mid-vein: 2 veins, but 1 "
+                "anti-veins");
 }
 
 TEST(LeafModel, AMarginThatMissesALayerIsRefusedWithTheRays) {
@@ -200,6 +219,21 @@ TEST(LeafModel, AMarginThatMissesALayerIsRefusedWithTheRays) {
                 "would leave the paper between their creases at the second vein (folded it lies at "
                 "11.1 degrees, 0.785 from the petiole); change a length, "
                 "or the angles before them");
+}
+
+TEST(LeafModel, ATornPairWhoseCreasesMeetOthersOnTheSheetIsRefused) {
+  LeafRecipe recipe;
+  recipe.veins = {{23, .782}, {47, .756}};
+  recipe.antiVeins = {{15, .629}, {35.6, .546}};
+  recipe.base = {65, .5};
+  recipe.secondary = {{0, .748, {24, .13}, {38.2, .182}, false}};
+  EXPECT_TRUE(leafModelOf(recipe));
+  recipe.secondary[0].isTorn = true;
+  expectRefused(
+      recipe,
+      "the secondary vein of the mid-lobe (38.2 degrees) meets the first anti-vein (15 "
+      "degrees) inside the sheet, so neither can be folded; make it steeper, or leave out "
+      "\"torn\": on a sheet cut around the blade they stay apart");
 }
 
 TEST(LeafModel, AFlapFoldedPastTheMidVeinIsRefusedWithTheRemedy) {

@@ -148,8 +148,12 @@ void expectAsTold(const LeafRecipe& recipe, const LeafModel& leaf) {
   ASSERT_TRUE(last) << last.error().message;
   EXPECT_TRUE((*last)->collisions.empty()) << (*last)->collisions.front().message;
   EXPECT_TRUE(isFlat(**last));
-  // The margin is cut one step before the leaf unfolds.
-  const auto folded = replayed->after(count - 1);
+  const auto isMargin = [](const Step& step) {
+    return std::holds_alternative<CurveCutStep>(step.action);
+  };
+  const auto margin = std::find_if(leaf.model.steps.begin(), leaf.model.steps.end(), isMargin);
+  const auto folded =
+      replayed->after(static_cast<std::size_t>(margin - leaf.model.steps.begin()) + 1);
   ASSERT_TRUE(folded);
   for (const std::string& violation : test::orderViolations(**folded)) ADD_FAILURE() << violation;
 
@@ -211,7 +215,7 @@ TEST(LeafProperties, ACreaseThatWouldRunIntoACornerOfTheSheetGetsAHigherSheet) {
 TEST(LeafProperties, RandomLeavesMeasureAsTheirRecipesSay) {
   Tally plain;
   Tally shaped;
-  for (unsigned seed = 1; seed <= 80; ++seed) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RecipeDice dice(seed);
     LeafRecipe recipe = randomRecipe(dice);
@@ -220,15 +224,16 @@ TEST(LeafProperties, RandomLeavesMeasureAsTheirRecipesSay) {
     givePlaces(recipe, dice);
     tally(recipe, shaped);
   }
-  EXPECT_GT(plain.made, 70);
-  EXPECT_GT(shaped.made, 40);
+  EXPECT_GT(plain.made, 50);
+  EXPECT_GT(shaped.made, 30);
 }
 
 TEST(LeafProperties, RandomLeavesWithSecondaryLobesMeasureAsTheirRecipesSay) {
   Tally pairs;
   int onLateral = 0;
   int several = 0;
-  for (unsigned seed = 1; pairs.made < 12 && seed <= 4000; ++seed) {
+  int torn = 0;
+  for (unsigned seed = 1; pairs.made < 10 && seed <= 4000; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RecipeDice dice(seed);
     LeafRecipe recipe = randomRecipe(dice);
@@ -237,17 +242,20 @@ TEST(LeafProperties, RandomLeavesWithSecondaryLobesMeasureAsTheirRecipesSay) {
       if (dice.below(3) > 0) recipe.secondary.push_back(randomPair(recipe, lobe, dice));
     }
     if (recipe.secondary.empty()) continue;
+    recipe.secondary[0].isTorn = recipe.secondary.size() == 1 && recipe.secondary[0].lobe == 0;
     if (dice.below(2) == 0) givePlaces(recipe, dice);
     const int before = pairs.made;
     tally(recipe, pairs);
     if (pairs.made == before) continue;
     onLateral += recipe.secondary.back().lobe > 0 ? 1 : 0;
     several += recipe.secondary.size() > 1 ? 1 : 0;
+    torn += isTorn(recipe) ? 1 : 0;
   }
-  EXPECT_EQ(pairs.made, 12);
+  EXPECT_EQ(pairs.made, 10);
   EXPECT_GT(pairs.refused, 0);
   EXPECT_GT(onLateral, 2);
   EXPECT_GT(several, 0);
+  EXPECT_GT(torn, 0);
 }
 
 }  // namespace
