@@ -13,15 +13,19 @@ namespace kiri {
 namespace {
 
 constexpr double kRightAngle = 90;
+/// Junctions nearer to the ends of a vein leave paper too small for a fold.
+constexpr double kLeastPart = 0.01;
 
 Error badLobe(std::string message) { return {ErrorCode::BadValue, std::move(message)}; }
 
 Status checkAngles(const SecondaryLobes& pair, const std::string& of) {
   const double a1 = pair.antiVein.angle;
   const double a2 = pair.vein.angle;
-  if (!(pair.at > 0 && pair.at < 1)) {
-    return badLobe("secondary lobes leave a vein between petiole (0) and tip (1); those of " + of +
-                   " not at " + text(pair.at));
+  if (!(pair.at >= kLeastPart && pair.at <= 1 - kLeastPart)) {
+    return badLobe(
+        "secondary lobes leave a vein between petiole (0) and tip (1), not nearer to "
+        "either than " +
+        text(kLeastPart) + "; those of " + of + " not at " + text(pair.at));
   }
   if (a2 > 0 && a1 > a2) {
     return badLobe("the secondary anti-vein of " + of + " (" + text(a1) +

@@ -183,6 +183,12 @@ TEST(LeafModel, ASecondaryPairThatCannotBeFoldedIsRefusedWithTheRemedy) {
       "first anti-vein, which is 15.3 beside it; make it shorter or steeper, or let it leave the "
       "vein farther out");
   recipe = sugarMaple();
+  recipe.secondary[1].at = 0.999;
+  expectRefused(
+      recipe,
+      "secondary lobes leave a vein between petiole (0) and tip (1), not nearer to either "
+      "than 0.01; those of lobe 1 not at 0.999");
+  recipe = sugarMaple();
   recipe.secondary[1].antiVein.angle = 40;
   expectRefused(recipe,
                 "the secondary anti-vein of lobe 1 (40 degrees) stands behind its vein (32.2): no "
