@@ -16,14 +16,7 @@ namespace {
         "The sheet is folded along veins and anti-veins, as a leaf is in its bud; one "
         "cut through all layers, and it is unfolded."),
     QT_TRANSLATE_NOOP("examples/gallery", "Leaves"),
-    QT_TRANSLATE_NOOP(
-        "examples/gallery",
-        "Real leaves, from the measured angles and lengths of their veins; the margin "
-        "is one curve, cut through all layers."),
     QT_TRANSLATE_NOOP("examples/gallery", "Origami"),
-    QT_TRANSLATE_NOOP("examples/gallery",
-                      "Traditional models, folded step by step; where many creases would have to "
-                      "close at once, paper is torn and the step says so."),
     QT_TRANSLATE_NOOP("examples/gallery", "Kirigami"),
     QT_TRANSLATE_NOOP(
         "examples/gallery",

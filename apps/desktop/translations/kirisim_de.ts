@@ -1120,16 +1120,8 @@
         <translation>Blätter</translation>
     </message>
     <message>
-        <source>Real leaves, from the measured angles and lengths of their veins; the margin is one curve, cut through all layers.</source>
-        <translation>Wirkliche Blätter nach gemessenen Winkeln und Längen ihrer Adern; der Rand ist eine einzige Kurve, durch alle Lagen geschnitten.</translation>
-    </message>
-    <message>
         <source>Origami</source>
         <translation>Origami</translation>
-    </message>
-    <message>
-        <source>Traditional models, folded step by step; where many creases would have to close at once, paper is torn and the step says so.</source>
-        <translation>Überlieferte Modelle, Schritt für Schritt gefaltet; wo sich viele Falten zugleich schließen müssten, wird gerissen, und der Schritt sagt es.</translation>
     </message>
     <message>
         <source>Kirigami</source>
