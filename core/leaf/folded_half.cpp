@@ -9,13 +9,13 @@
 namespace kiri {
 namespace {
 
-constexpr double kHalfTurn = 180;
+constexpr double kMirrorTurn = 180;
 
 Vec3 raised(Vec2 p) { return {p.x, p.y, 0}; }
 
 Rigid reflectionIn(const LeafCrease& crease) {
   return rotationAbout(raised(crease.from), raised(normalized(crease.end - crease.from)),
-                       kHalfTurn);
+                       kMirrorTurn);
 }
 
 /// The creases of secondary lobes on one side of a vein, in the order of the margin there.
