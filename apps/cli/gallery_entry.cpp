@@ -123,6 +123,7 @@ Status EntryWriter::leaf(const Timeline& timeline, const Moments& moments,
       galleryLeafOf(input_.model, timeline.stateAfter(steps()), moments.isOpenAtTheEnd);
   if (!measures) return std::monostate{};
   entry_.measures = galleryMeasuresOf(*measures);
+  entry_.margin = galleryMarginOf(*measures);
   const Scene scene = galleryMeasureScene(timeline.stateAfter(steps()), *measures, appearance);
   entry_.measured = pictureOf(scene, "measured: axis, lobes and sinuses", "measured.svg");
   return download("measures drawn in (SVG)", "measured.svg", writeSvg(scene));

@@ -45,6 +45,7 @@ struct GalleryEntryFiles {
   GalleryPicture film;  ///< without a name: none was made
   GalleryPicture stepSheet;
   std::vector<GalleryMeasure> measures;  ///< of leaves
+  std::vector<GalleryMeasure> margin;    ///< of leaves: lobes and sinuses
   GalleryPicture measured;               ///< of leaves
   std::vector<GalleryFile> downloads;
 };

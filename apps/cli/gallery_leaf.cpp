@@ -43,7 +43,8 @@ std::size_t largestFan(const CreasePattern& pattern) {
 
 /// Superscripts as people write them.
 std::string unitInWords(const std::string& unit) {
-  return unit == "mm2" ? "mm²" : unit == "deg" ? "°" : unit;
+  if (unit.empty() || unit == "deg") return unit.empty() ? "" : "°";
+  return unit == "mm2" ? " mm²" : " " + unit;
 }
 
 std::string rounded(double value) {
@@ -66,9 +67,13 @@ std::vector<GalleryMeasure> galleryMeasuresOf(const LeafMeasures& measures) {
   std::vector<GalleryMeasure> rows;
   for (const NamedMeasure& measure : namedMeasures(measures)) {
     if (!measure.value) continue;
-    const std::string unit = unitInWords(measure.unit);
-    rows.push_back({measure.words, rounded(*measure.value) + (unit.empty() ? "" : " " + unit)});
+    rows.push_back({measure.words, rounded(*measure.value) + unitInWords(measure.unit)});
   }
+  return rows;
+}
+
+std::vector<GalleryMeasure> galleryMarginOf(const LeafMeasures& measures) {
+  std::vector<GalleryMeasure> rows;
   for (const MarginPoint& point : measures.margin) {
     rows.push_back(
         {std::string(point.isLobe ? "lobe" : "sinus") + " at " + rounded(point.angle) + "°",

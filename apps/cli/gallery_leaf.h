@@ -20,8 +20,9 @@ namespace kiri::cli {
 std::optional<LeafMeasures> galleryLeafOf(const Model& model, const FoldedState& finished,
                                           bool isOpen);
 
-/// The rows of the table.
+/// The rows of the tables: the measures that are one number, and the lobes and sinuses.
 std::vector<GalleryMeasure> galleryMeasuresOf(const LeafMeasures& measures);
+std::vector<GalleryMeasure> galleryMarginOf(const LeafMeasures& measures);
 
 /// The leaf with its measures drawn in, on a page of kGalleryPage.
 Scene galleryMeasureScene(const FoldedState& finished, const LeafMeasures& measures,

@@ -178,21 +178,28 @@ std::string stepsOf(const GalleryEntryFiles& entry) {
          "\n";
 }
 
-std::string measuresOf(const GalleryEntryFiles& entry) {
-  if (entry.measures.empty()) return "";
-  std::string rows =
-      htmlTag("caption", "", "On the unfolded leaf; angles from the axis, clockwise");
-  for (const GalleryMeasure& measure : entry.measures) {
+std::string tableOf(const std::string& caption, const std::vector<GalleryMeasure>& measures) {
+  std::string rows = htmlTag("caption", "", caption);
+  for (const GalleryMeasure& measure : measures) {
     rows += "\n" + htmlTag("tr", "",
                            htmlTag("th", " scope=\"row\"", htmlText(measure.words)) +
                                htmlTag("td", "", htmlText(measure.value)));
   }
+  return htmlTag("table", "", rows) + "\n";
+}
+
+std::string measuresOf(const GalleryEntryFiles& entry) {
+  if (entry.measures.empty()) return "";
+  const std::string tables =
+      tableOf("On the unfolded leaf", entry.measures) +
+      tableOf("Lobes and sinuses: degrees from the axis, clockwise; length from the petiole",
+              entry.margin);
   const std::string shown =
       figure(anchor(htmlLink(entry.measured.name),
                     image("", entry.measured, entry.title + ", " + entry.measured.label)),
              htmlText(capitalised(entry.measured.label)));
   return htmlTag("h2", "", "Measures") + "\n" +
-         htmlTag("div", " class=\"leaf\"", "\n" + shown + htmlTag("table", "", rows)) + "\n";
+         htmlTag("div", " class=\"leaf\"", "\n" + shown + tables) + "\n";
 }
 
 std::string downloadsOf(const GalleryEntryFiles& entry) {

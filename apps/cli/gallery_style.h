@@ -35,11 +35,11 @@ figcaption { margin-top: .3rem; color: var(--soft) }
 .leaf { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start }
 .leaf figure { flex: 1 1 20rem; max-width: 34rem }
 .steps { max-width: 46rem } .steps li { margin: .5rem 0 } .steps p { margin: 0 }
-table { border-collapse: collapse }
+table { border-collapse: collapse; max-width: 24rem }
 caption { text-align: left; color: var(--soft); padding-bottom: .3rem }
 th, td { text-align: left; font-weight: normal; padding: .15rem .9rem .15rem 0;
   border-bottom: 1px solid var(--line) }
-td { text-align: right; font-variant-numeric: tabular-nums }
+td { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums }
 footer { margin-top: 3rem; color: var(--soft) }
 )";
 
