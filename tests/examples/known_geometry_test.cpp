@@ -5,6 +5,7 @@
 
 #include "core/flatfold/flat_folding.h"
 #include "core/model/pattern_model.h"
+#include "core/paper/boxes.h"
 #include "tests/examples/example_models.h"
 #include "tests/examples/folded_shape.h"
 #include "tests/support/expect.h"
@@ -153,6 +154,26 @@ TEST(BirdBase, HasFourFlapsAsLongAsHalfTheDiagonal) {
   for (const Vec2 corner : {Vec2{2 * half, 0}, Vec2{2 * half, 2 * half}, Vec2{0, 2 * half}}) {
     EXPECT_TRUE(liesAt(base, corner, tip));
   }
+}
+
+/// The paper hat, the first half of the boat: a triangle half as high as it is wide, whatever the
+/// length of the sheet.
+TEST(Boat, ItsHatIsATriangleHalfAsHighAsWide) {
+  const double w = 210;
+  const double brim = 297.0 / 2 - w / 2;
+  EXPECT_TRUE(hasHull(stateOf("origami_boat", 11), {{0, brim}, {w, brim}, {w / 2, brim + w / 2}}));
+}
+
+/// Pressed flat it is w long, w / 2 at the keel and w / 4 high; opened by 60 degrees on each side,
+/// these follow from paper that does not stretch.
+TEST(Boat, IsAsLongAndWideAsThePaperLetsIt) {
+  const FoldedState& boat = exampleModel("origami_boat").last();
+  const double w = 210;
+  const ModelBox box = modelBoxOf(boat);
+  const Vec3 size = box.high - box.low;
+  EXPECT_NEAR(size.x, w / 2 * (1 + std::sqrt(0.4)), 10 * near(boat));
+  EXPECT_NEAR(size.y, w / 2 * std::sqrt(0.4), 10 * near(boat));  // of its points
+  EXPECT_NEAR(size.z, w * std::sqrt(3.0) / 4, 10 * near(boat));
 }
 
 /// The crane: a bird base narrowed once more, so that all creases of its middle leave the corners
