@@ -21,11 +21,6 @@ sheet leaf_palmate leaf --steps 14-16 --columns 3 --no-numbers --no-titles
 sheet leaf_palmate palmate_steps
 sheet leaf_secondary_lobes secondary_lobes --steps 3,5,7,13-16 --columns 4
 sheet ship ship_steps
-leaves=(acer_pseudoplatanus:70 fatsia_japonica:24 acer_circinatum:82 sweet_gum:70 ribes_nigrum:90
-  acer_pseudoplatanus_broad:56 sugar_maple:60 sugar_maple_lobes:60 norway_maple:60 norway_maple_lobes:60)
-for leaf in "${leaves[@]}"; do # NAME:DPI, for pictures of about one width
-  view "leaf_${leaf%:*}" "leaf_${leaf%:*}" --dpi "${leaf#*:}"
-done
 sheet kirigami_snowflake snowflake_steps
 view leaf_hornbeam opening --step 30.6 --view=-25,35 --perspective 30 --shade --shadow --dpi 90
 view kirigami_snowflake layers --step 5 --view 30,25 --explode 5 --shade --dpi 100
@@ -36,6 +31,7 @@ maple=$(mktemp --suffix .kiri)
 rm "$maple"
 ./kiri animate examples/leaf_palmate.kiri --size 320x220 --fps 12 --speed 180 --hold 0.2 -o docs/pictures/leaf_film.gif
 ./kiri animate examples/leaf_hornbeam.kiri --steps 31 --size 280x210 --fps 15 --speed 60 -o docs/pictures/hornbeam_opens.gif
+tools/make_models_page.py
 
 # The window's are made by the journeys of the tests, which fold in it with mouse and keyboard.
 cmake --build --preset release --target kiri_tests_apps_desktop_journeys kiri_tests_apps_desktop \
