@@ -68,6 +68,7 @@ std::string checkJson(const PatternInput& input, const PatternReport& report) {
   out.add("angles_taken_as_180", countJson(input.bentCreases));
   out.add("locally_flat_foldable", JsonValue::ofBool(report.isLocallyFlat()));
   out.add("faulty_vertices", countJson(report.faultyVertices()));
+  out.add("standing_vertices", countJson(report.standing));
   out.add("faults", faultsJson(report, pattern));
   out.add("closes", JsonValue::ofBool(report.map.has_value()));
   out.add("closing_error", report.map ? JsonValue::ofNumber(report.map->error) : JsonValue{});
@@ -91,7 +92,7 @@ int run(Console& console, const CheckOptions& options) {
   if (!input.isOk()) return fail(console, input.error());
   noteRepairs(console, *input);
   if (isCancelled(console)) return fail(console, Error{ErrorCode::Cancelled, "", {}});
-  const PatternReport report = reportOf(input->creases);
+  const PatternReport report = reportOf(input->creases, input->standing);
   if (!options.picture.out.empty()) {
     const int drawn = writeFaults(console, *input, report, options.picture);
     if (drawn != kDone) return drawn;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/check_report.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/text.h"
@@ -15,9 +16,14 @@ std::size_t PatternReport::faultyVertices() const {
   return count;
 }
 
-PatternReport reportOf(const AssignedPattern& creases) {
+PatternReport reportOf(const AssignedPattern& creases, const std::vector<VertexId>& standing) {
   PatternReport report;
   report.faults = vertexFaults(creases);
+  const std::size_t broken = report.faultyVertices();
+  std::erase_if(report.faults, [&](const VertexFault& fault) {
+    return std::find(standing.begin(), standing.end(), fault.vertex) != standing.end();
+  });
+  report.standing = broken - report.faultyVertices();
   Result<FlatMap> map = flatMapOf(creases);
   if (map.isOk()) {
     report.map = std::move(*map);
@@ -30,9 +36,16 @@ PatternReport reportOf(const AssignedPattern& creases) {
 
 std::string verdictOf(const PatternReport& report) {
   const std::size_t count = report.faultyVertices();
-  if (count == 0) return "folds flat around every vertex";
+  const std::string standing = std::to_string(report.standing);
+  const std::string why = report.standing == 1
+                              ? "stands in space, with creases at other angles than 180 degrees"
+                              : "stand in space, with creases at other angles than 180 degrees";
+  if (count == 0)
+    return "folds flat around every vertex" +
+           (report.standing == 0 ? std::string() : " but " + standing + " that " + why);
   return std::to_string(count) +
-         (count == 1 ? " vertex does not fold flat" : " vertices do not fold flat");
+         (count == 1 ? " vertex does not fold flat" : " vertices do not fold flat") +
+         (report.standing == 0 ? std::string() : "; " + standing + " more " + why);
 }
 
 std::string closingOf(const PatternReport& report, const std::string& unit) {

@@ -14,19 +14,23 @@ namespace kiri::cli {
 
 struct PatternReport {
   std::vector<VertexFault> faults;
+  std::size_t standing = 0;    ///< vertices that were left out, see reportOf
   std::optional<FlatMap> map;  ///< none where the facets do not close
   std::string whyOpen;         ///< the sentence of flatMapOf then
   Witness openAt;              ///< and where
 
   /// How many vertices have faults.
   std::size_t faultyVertices() const;
-  bool isLocallyFlat() const { return faults.empty(); }
-  bool foldsFlat() const { return faults.empty() && map.has_value(); }
+  bool isLocallyFlat() const { return faults.empty() && standing == 0; }
+  bool foldsFlat() const { return isLocallyFlat() && map.has_value(); }
 };
 
-PatternReport reportOf(const AssignedPattern& creases);
+/// What is known of the pattern with all creases folded by 180 degrees. `standing`: vertices whose
+/// creases are meant for other angles: what breaks a rule there is no fault, but is not flat
+/// either; such vertices are counted.
+PatternReport reportOf(const AssignedPattern& creases, const std::vector<VertexId>& standing = {});
 
-/// "folds flat around every vertex", "12 vertices do not fold flat".
+/// "folds flat around every vertex", "12 vertices do not fold flat", and how many stand in space.
 std::string verdictOf(const PatternReport& report);
 /// "closes as a whole to 1.2e-13 mm", or why it does not.
 std::string closingOf(const PatternReport& report, const std::string& unit);

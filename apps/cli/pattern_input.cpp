@@ -3,6 +3,7 @@
 #include "apps/cli/pattern_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "apps/cli/model_input.h"
@@ -11,6 +12,10 @@
 namespace kiri::cli {
 
 namespace {
+
+constexpr double kFold = 180;
+
+bool isFull(double degrees) { return std::abs(degrees) == kFold; }
 
 /// The creases of a state. Curved borders become polylines on the way.
 Result<RepairedPattern> creasesOf(const FoldedState& state, const Progress& progress) {
@@ -39,21 +44,33 @@ Result<PatternInput> modelCreases(Console& console, const InputText& text) {
                      std::move(creases->repairs),
                      {},
                      0,
-                     "mm"};
+                     "mm",
+                     {}};
+  input.standing = standingVertices(input.creases);
   input.bentCreases = flattenAngles(input.creases);
   return input;
 }
 
 }  // namespace
 
+std::vector<VertexId> standingVertices(const AssignedPattern& creases) {
+  std::vector<bool> isEnd(creases.pattern.vertices.size(), false);
+  for (const Edge& edge : creases.pattern.edges) {
+    const bool isBent = edge.kind == EdgeKind::Hinge && edge.angle != 0 && !isFull(edge.angle);
+    if (isBent) isEnd[edge.from.index] = isEnd[edge.to.index] = true;
+  }
+  std::vector<VertexId> standing;
+  for (std::size_t v = 0; v < isEnd.size(); ++v)
+    if (isEnd[v]) standing.push_back(VertexId(v));
+  return standing;
+}
+
 std::size_t flattenAngles(AssignedPattern& creases) {
-  constexpr double kFold = 180;
   std::size_t bent = 0;
   for (Edge& edge : creases.pattern.edges) {
     if (edge.kind != EdgeKind::Hinge || edge.angle == 0) continue;
-    const double flat = edge.angle > 0 ? kFold : -kFold;
-    if (edge.angle != flat) ++bent;
-    edge.angle = flat;
+    if (!isFull(edge.angle)) ++bent;
+    edge.angle = edge.angle > 0 ? kFold : -kFold;
   }
   return bent;
 }
@@ -63,7 +80,9 @@ Result<PatternInput> loadPattern(Console& console, const std::string& path) {
   if (!text.isOk()) return text.error();
   if (!isPattern(*text)) return modelCreases(console, *text);
   Result<PatternInput> input = patternFrom(console, *text);
-  if (input.isOk()) input->bentCreases = flattenAngles(input->creases);
+  if (!input.isOk()) return input;
+  input->standing = standingVertices(input->creases);
+  input->bentCreases = flattenAngles(input->creases);
   return input;
 }
 
@@ -88,7 +107,8 @@ Result<PatternInput> patternFrom(Console& console, const InputText& text) {
                      std::move(repaired->repairs),
                      file->notes,
                      0,
-                     file->mmPerUnit ? "mm" : "units"};
+                     file->mmPerUnit ? "mm" : "units",
+                     {}};
   input.file = std::move(*file);
   return input;
 }

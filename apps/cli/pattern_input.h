@@ -24,6 +24,7 @@ struct PatternInput {
   std::vector<std::string> notes;  ///< what was ignored or guessed while reading
   std::size_t bentCreases = 0;     ///< angles that were neither flat nor 180, taken as 180
   std::string unit;                ///< "mm" or "units"
+  std::vector<VertexId> standing;  ///< ends of those creases: they stand in space, by number
 };
 
 /// The crease pattern in a text, repaired. Angles are those of the file. Errors: BadFile;
@@ -32,6 +33,9 @@ Result<PatternInput> patternFrom(Console& console, const InputText& text);
 
 /// Angles other than 0 and 180 degrees become 180; says how many.
 std::size_t flattenAngles(AssignedPattern& creases);
+
+/// The ends of creases with such angles, by number.
+std::vector<VertexId> standingVertices(const AssignedPattern& creases);
 
 /// Reads FILE ("-": standard input): a pattern in any format, or the creases of a .kiri model after
 /// its last step, each folded as it last was. Angles other than 0 and 180 degrees become 180.

@@ -46,6 +46,35 @@ TEST_F(CheckCommand, NamesVertexRuleAndAmountOfEveryFault) {
   EXPECT_NEAR(report["faults"][0]["amount"].get<double>(), 7, 1e-9);
 }
 
+/// A sheet with a cross of four valleys, each meant for these degrees.
+std::string crossOfValleys(const std::string& degrees) {
+  std::string creases;
+  for (const std::string ends : {"0, 1", "1, 2", "3, 1", "1, 4"})
+    creases += (creases.empty() ? "[" : ", [") + ends + ", \"V\", " + degrees + "]";
+  return R"({"format": "kiri", "version": 1, "sheet": {"shape": "square", "side": 100},
+             "steps": [{"do": "pattern", "vertices": [[50, 0], [50, 50], [50, 100], [0, 50],
+                        [100, 50]], "creases": [)" +
+         creases + "]}]}";
+}
+
+TEST_F(CheckCommand, DoesNotJudgeVerticesThatAreMeantToStandInSpace) {
+  const std::string flat = put("flat.kiri", crossOfValleys("180"));
+  EXPECT_TRUE(contains(runKiri({"check", flat}).out, "they must differ by two"));
+  const std::string box = put("box.kiri", crossOfValleys("90"));
+  const Answer answer = runKiri({"check", box});
+  EXPECT_FALSE(contains(answer.out, "must differ")) << answer.out;
+  EXPECT_TRUE(contains(answer.out,
+                       "\nfolds flat around every vertex but 1 that stands in space, with creases "
+                       "at other angles than 180 degrees\n"))
+      << answer.out;
+  EXPECT_TRUE(contains(answer.err, "4 creases have angles other than 180 degrees")) << answer.err;
+  EXPECT_EQ(runKiri({"check", box, "--exit-code"}).code, kVerdictNo);
+  const json report = json::parse(runKiri({"check", box, "--json"}).out);
+  EXPECT_EQ(report["faulty_vertices"], 0);
+  EXPECT_EQ(report["standing_vertices"], 1);
+  EXPECT_EQ(report["locally_flat_foldable"], false);
+}
+
 TEST_F(CheckCommand, DrawsTheFaults) {
   const std::string file = put("bad.cp", starAsCp(7));
   for (const std::string ending : {"svg", "png", "pdf"}) {
