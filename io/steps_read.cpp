@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kStraightAngle = 180;
 
-LayerChoice layersOf(Fields& fields, Frame frame) {
+LayerChoice layersOf(Fields& fields, Frame frame, const LayerChoice& unsaid = AllLayers{}) {
   const std::optional<Field> field = fields.find("layers");
-  return field ? readLayers(*field, frame) : LayerChoice{AllLayers{}};
+  return field ? readLayers(*field, frame) : unsaid;
 }
 
 Keep keepOf(Fields& fields, Frame frame) {
@@ -92,7 +92,7 @@ TearStep readTear(Fields& fields) {
           fields.require("path", "the edges to tear, from a vertex on")) {
     tear.path = readPath(*path);
   }
-  tear.layers = layersOf(fields, tear.path.frame);
+  tear.layers = layersOf(fields, tear.path.frame, OwnEdges{});
   return tear;
 }
 
@@ -104,7 +104,7 @@ MendStep readMend(Fields& fields) {
     if (!isAll && path->isText()) path->isNot("\"all\" or a path {\"paper\": [[x, y], ...]}");
     if (!isAll) mend.path = readPath(*path);
   }
-  mend.layers = layersOf(fields, mend.path.frame);
+  mend.layers = layersOf(fields, mend.path.frame, OwnEdges{});
   return mend;
 }
 

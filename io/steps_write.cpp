@@ -14,8 +14,9 @@ namespace kiri {
 
 namespace {
 
-void addLayers(JsonValue& out, const LayerChoice& layers, Frame frame) {
-  if (!std::holds_alternative<AllLayers>(layers)) out.add("layers", writeLayers(layers, frame));
+void addLayers(JsonValue& out, const LayerChoice& layers, Frame frame,
+               const LayerChoice& unsaid = AllLayers{}) {
+  if (layers != unsaid) out.add("layers", writeLayers(layers, frame));
 }
 
 void addFolds(JsonValue& out, const std::vector<FoldLineName>& lines, Sequence sequence) {
@@ -60,11 +61,11 @@ struct ActionWriter {
   void operator()(const RefoldStep& step) const { addFolds(out, step.lines, step.sequence); }
   void operator()(const TearStep& tear) const {
     out.add("path", writePath(tear.path));
-    addLayers(out, tear.layers, tear.path.frame);
+    addLayers(out, tear.layers, tear.path.frame, OwnEdges{});
   }
   void operator()(const MendStep& mend) const {
     out.add("path", mend.path.points.empty() ? JsonValue::ofText(kAll) : writePath(mend.path));
-    addLayers(out, mend.layers, mend.path.frame);
+    addLayers(out, mend.layers, mend.path.frame, OwnEdges{});
   }
   void operator()(const AddEdgeStep& step) const {
     out.add("line", writeLine(step.line));

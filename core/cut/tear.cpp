@@ -35,7 +35,7 @@ class EdgeFinder {
   /// Stretches along one segment of the path, after the choice of layers; each edge at most once.
   std::vector<Stretch> along(Vec2 p, Vec2 q, bool isOnPaper) const {
     std::vector<Stretch> found = search({p.x, p.y, 0}, {q.x, q.y, 0}, isOnPaper, true);
-    const bool meansAll = !choice_.top && !choice_.ofFacets;
+    const bool meansAll = !choice_.top && !choice_.ofFacets && !choice_.isOwnOnly;
     if (isOnPaper && (meansAll || choice_.top)) found = withOtherLayers(found);
     return chosen(std::move(found));
   }

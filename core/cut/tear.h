@@ -21,7 +21,8 @@ struct EdgePath {
 struct EdgeChoice {
   std::optional<int> top;                        ///< the uppermost so many along the path
   std::optional<std::vector<FacetId>> ofFacets;  ///< those that belong to one of these facets
-};                                               ///< neither: all layers
+  bool isOwnOnly = false;  ///< a path on the sheet: those that it runs along, none elsewhere
+};                         ///< none of them: all layers
 
 /// Tears the hinges along the path; where it starts or ends between the ends of a hinge, that hinge
 /// is divided there. A path on the sheet means, for all layers, also the hinges that lie at the

@@ -245,6 +245,12 @@ Result<std::vector<FacetId>> locateLayers(const FoldedState& state, const LayerC
                  "the top ones, or facets",
                  {}};
   }
+  if (std::holds_alternative<OwnEdges>(choice)) {
+    return Error{ErrorCode::BadValue,
+                 "only tears and mends name edges by their path; choose all layers, the top ones, "
+                 "or facets",
+                 {}};
+  }
   const ChosenLayers& chosen = std::get<ChosenLayers>(choice);
   Result<std::vector<FacetId>> facets = locateFacets(state, chosen.facets);
   if (!facets) return facets;

@@ -314,6 +314,7 @@ Result<EdgeRequest> edgeRequest(const FoldedState& state, const DrawnPath& path,
     if (!facets) return facets.error();
     request.choice.ofFacets = std::move(*facets);
   }
+  request.choice.isOwnOnly = std::holds_alternative<OwnEdges>(layers);
   return request;
 }
 

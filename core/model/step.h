@@ -58,7 +58,12 @@ struct ChosenLayers {
 struct ThroughAll {
   bool operator==(const ThroughAll&) const = default;
 };
-using LayerChoice = std::variant<AllLayers, TopLayers, ChosenLayers, ThroughAll>;
+/// What the path itself names: on the sheet the edges that it runs along, and none that lies at the
+/// same place of the model; in the model frame all edges there. For tears and mends only.
+struct OwnEdges {
+  bool operator==(const OwnEdges&) const = default;
+};
+using LayerChoice = std::variant<AllLayers, TopLayers, ChosenLayers, ThroughAll, OwnEdges>;
 
 /// Which side of the line moves.
 enum class Hand { Left, Right };
@@ -125,13 +130,13 @@ struct DrawnPath {
 
 struct TearStep {
   DrawnPath path;
-  LayerChoice layers = AllLayers{};
+  LayerChoice layers = OwnEdges{};
   bool operator==(const TearStep&) const = default;
 };
 
 struct MendStep {
   DrawnPath path;  ///< empty: everything that can be mended
-  LayerChoice layers = AllLayers{};
+  LayerChoice layers = OwnEdges{};
   bool operator==(const MendStep&) const = default;
 };
 

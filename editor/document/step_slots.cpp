@@ -76,7 +76,7 @@ class Collecting {
              [](Step& step) -> double& { return as<FoldStep>(step).angle; });
     addLine([](Step& step) -> DrawnLine& { return as<FoldStep>(step).line; });
     addSide(fold.moving);
-    addLayers([](Step& step) -> LayerChoice& { return as<FoldStep>(step).layers; }, false);
+    addLayers([](Step& step) -> LayerChoice& { return as<FoldStep>(step).layers; }, {});
   }
 
   void collect(const AngleStep& angle) {
@@ -101,13 +101,13 @@ class Collecting {
 
   void collect(const AddEdgeStep&) {
     addLine([](Step& step) -> DrawnLine& { return as<AddEdgeStep>(step).line; });
-    addLayers([](Step& step) -> LayerChoice& { return as<AddEdgeStep>(step).layers; }, false);
+    addLayers([](Step& step) -> LayerChoice& { return as<AddEdgeStep>(step).layers; }, {});
   }
 
   void collect(const StraightCutStep& cut) {
     addLine([](Step& step) -> DrawnLine& { return as<StraightCutStep>(step).line; });
     addLayers([](Step& step) -> LayerChoice& { return as<StraightCutStep>(step).layers; },
-              cut.line.frame == Frame::Model);
+              throughFrom(cut.line.frame));
   }
 
   void collect(const CurveCutStep& cut) {
@@ -120,7 +120,7 @@ class Collecting {
     addPoints(cut.controls.size(), "control",
               [](Step& step) -> std::vector<Vec2>& { return as<CurveCutStep>(step).controls; });
     addLayers([](Step& step) -> LayerChoice& { return as<CurveCutStep>(step).layers; },
-              cut.frame == Frame::Model);
+              throughFrom(cut.frame));
   }
 
   void collect(const TurnOverStep&) {
@@ -175,7 +175,7 @@ class Collecting {
   void collectPath() {
     const auto points = [](Step& step) -> std::vector<Vec2>& { return as<T>(step).path.points; };
     addPoints(points(step_).size(), "point", points);
-    addLayers([](Step& step) -> LayerChoice& { return as<T>(step).layers; }, false);
+    addLayers([](Step& step) -> LayerChoice& { return as<T>(step).layers; }, OwnEdges{});
   }
 
   struct Label {
@@ -304,16 +304,27 @@ class Collecting {
         });
   }
 
-  /// All, the uppermost, and what else there is: cuts straight down, layers picked one by one.
+  /// Cuts drawn on the model may go straight down.
+  static std::optional<LayerChoice> throughFrom(Frame frame) {
+    return frame == Frame::Model ? std::optional<LayerChoice>(ThroughAll{}) : std::nullopt;
+  }
+
+  /// All, the uppermost, and what else there is: `special` to this kind of step, layers picked one
+  /// by one.
   template <class Reach>
-  void addLayers(Reach reach, bool canCutThrough) {
+  void addLayers(Reach reach, const std::optional<LayerChoice>& special) {
     const LayerChoice now = reach(step_);
     std::vector<LayerChoice> choices{AllLayers{}, TopLayers{}};
     Words words{{KIRI_TEXT("editor/document", "All layers"), {}},
                 {KIRI_TEXT("editor/document", "Top layers"), {}}};
-    if (canCutThrough || std::holds_alternative<ThroughAll>(now)) {
+    const auto has = [&](const LayerChoice& choice) { return special == choice || now == choice; };
+    if (has(ThroughAll{})) {
       choices.push_back(ThroughAll{});
       words.push_back({KIRI_TEXT("editor/document", "Straight down through all"), {}});
+    }
+    if (has(OwnEdges{})) {
+      choices.push_back(OwnEdges{});
+      words.push_back({KIRI_TEXT("editor/document", "Only the edges of the path"), {}});
     }
     if (const ChosenLayers* chosen = std::get_if<ChosenLayers>(&now)) {
       choices.push_back(now);

@@ -93,6 +93,7 @@ std::optional<Proposal> MendTool::proposal(const Scope& scope) const {
     if (!edge) return std::nullopt;
     const TornRun run = meant(*scope.state, *edge);
     mend.path = {Frame::Paper, run.points};
+    mend.layers = AllLayers{};
     if (isOneLayer_) {
       ChosenLayers chosen;
       for (const EdgeId e : run.edges) {

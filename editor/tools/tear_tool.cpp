@@ -144,6 +144,7 @@ std::optional<Proposal> TearTool::proposal(const Scope&) const {
   if (!path_.isThere()) return std::nullopt;
   TearStep tear;
   tear.path = {Frame::Paper, path_.points()};
+  tear.layers = AllLayers{};
   if (isOneLayer_ || hasAlt_) {
     ChosenLayers chosen;
     for (const Vec2 place : path_.besides()) chosen.facets.push_back({Frame::Paper, place});

@@ -102,6 +102,7 @@ TEST(KiriReader, ReadsTheOtherSteps) {
   EXPECT_EQ(std::get<Place>(unfold.lines[1]).frame, Frame::Paper);
   EXPECT_EQ(unfold.sequence, Sequence::Together);
   EXPECT_EQ(stepOf<RefoldStep>(everyStep()[8]).lines.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<OwnEdges>(stepOf<TearStep>(everyStep()[9]).layers));
   EXPECT_EQ(stepOf<TearStep>(everyStep()[10]).path.points.size(), 3u);
   EXPECT_TRUE(stepOf<MendStep>(everyStep()[11]).path.points.empty());
   EXPECT_EQ(stepOf<AddEdgeStep>(everyStep()[13]).line.frame, Frame::Model);

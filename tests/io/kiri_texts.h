@@ -51,6 +51,7 @@ inline std::vector<std::string> everyStep() {
       R"({"do": "move", "by": [10, -5]})",
       R"({"do": "straight cut", "line": {"model": [[0, 10], [150, 10]]}, "layers": "through", "keep": [[75, 75]]})",
       R"({"do": "pattern", "vertices": [[75, 0], [75, 150]], "creases": [[0, 1, "V"]]})",
+      R"({"do": "tear", "path": {"paper": [[75, 0], [75, 40]]}, "layers": "all"})",
       R"({"do": "pattern", "name": "p", "vertices": [[75, 0], [75, 75], [75, 150], [0, 75], [150, 75]], "creases": [[0, 1, "V", 90], [1, 2, "M"], [3, 1, "U"], [1, 4, "F"], [0, 3, "J"], [0, 4, "C"]], "folded": true, "resting": [1, 2], "layers": [[1, 2], [3, 4]], "exceptions": [[[1, 2], [3, 4]]]})",
   };
 }

@@ -122,18 +122,24 @@ std::optional<LayerChoice> layersOf(Words& words) {
   if (words.take("top")) return TopLayers{static_cast<int>(words.needNumber())};
   if (words.take("facets")) return ChosenLayers{words.places()};
   if (words.take("through")) return ThroughAll{};
+  if (words.take("layers")) {
+    words.take("all");
+    return AllLayers{};
+  }
   return std::nullopt;
 }
 
 /// What may follow in any order: layers, the facet of a line, what to keep.
 struct Tail {
-  LayerChoice layers = AllLayers{};
+  std::optional<LayerChoice> chosen;
+  LayerChoice layers = AllLayers{};  ///< those chosen, or all
   std::optional<Vec2> facet;
   Keep keep;
 };
 
 bool readTailWord(Words& words, Tail& tail) {
   if (const std::optional<LayerChoice> layers = layersOf(words)) {
+    tail.chosen = layers;
     tail.layers = *layers;
   } else if (words.take("in")) {
     tail.facet = words.needPoint();
@@ -229,7 +235,7 @@ CurveCutStep curveOf(Words& words) {
 
 Action pathActionOf(const std::string& kind, Words& words) {
   const DrawnPath path{words.frame(), words.points()};
-  const LayerChoice layers = tailOf(words).layers;
+  const LayerChoice layers = tailOf(words).chosen.value_or(OwnEdges{});
   if (kind == "tear") return TearStep{path, layers};
   return MendStep{path, layers};
 }

@@ -25,7 +25,7 @@ namespace kiri::test {
 ///   edge P Q [LAYERS] [in P]        cut P Q [LAYERS] [in P] [keep PLACE...]
 ///   curve P P P P... [closed] [free] [LAYERS] [in P] [keep PLACE...]
 ///   turn [vertical|horizontal]      rotate DEGREES [P]      move P
-///   LAYERS: top N | facets PLACE... | through
+///   LAYERS: top N | facets PLACE... | through | layers all
 ///
 /// Throws std::invalid_argument on text that it does not know: a mistake in the test.
 Model modelOf(std::string_view text);

@@ -45,6 +45,10 @@ std::string layersText(const LayerChoice& layers) {
   return "";
 }
 
+std::string edgesText(const LayerChoice& layers) {
+  return std::holds_alternative<AllLayers>(layers) ? " layers all" : layersText(layers);
+}
+
 std::string movingText(const MovingSide& moving) {
   if (const auto* hand = std::get_if<Hand>(&moving))
     return *hand == Hand::Left ? " left" : " right";
@@ -85,10 +89,10 @@ struct Writer {
     return "refold" + foldLinesText(s.lines, s.sequence);
   }
   std::string operator()(const TearStep& s) const {
-    return "tear" + frameText(s.path.frame) + pointsText(s.path.points) + layersText(s.layers);
+    return "tear" + frameText(s.path.frame) + pointsText(s.path.points) + edgesText(s.layers);
   }
   std::string operator()(const MendStep& s) const {
-    return "mend" + frameText(s.path.frame) + pointsText(s.path.points) + layersText(s.layers);
+    return "mend" + frameText(s.path.frame) + pointsText(s.path.points) + edgesText(s.layers);
   }
   std::string operator()(const AddEdgeStep& s) const {
     return "edge" + frameText(s.line.frame) + lineText(s.line) + layersText(s.layers) +

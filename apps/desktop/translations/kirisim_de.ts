@@ -192,6 +192,10 @@
         <translation>Senkrecht durch alle</translation>
     </message>
     <message>
+        <source>Only the edges of the path</source>
+        <translation>Nur die Kanten des Pfades</translation>
+    </message>
+    <message>
         <source>Chosen layers (%1)</source>
         <translation>Gewählte Lagen (%1)</translation>
     </message>

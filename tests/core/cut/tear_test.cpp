@@ -61,6 +61,21 @@ TEST(Tear, InAFoldedModelTearsAllLayersOrTheChosenOnes) {
   EXPECT_EQ(edgeCount(chosen, EdgeKind::Tear), 1u);
 }
 
+TEST(Tear, AlongAPathOnThePaperLeavesWhatLiesOverIt) {
+  const std::string folded =
+      "square 100; fold A valley 50,0 50,100 left; edge @model 40,50 110,50; ";
+  const FoldedState own = run(folded + "tear 100,50 70,50");
+  EXPECT_EQ(edgeCount(own, EdgeKind::Tear), 1u);
+  EXPECT_TRUE(isSound(own));
+  const FoldedState all = run(folded + "tear 100,50 70,50 layers all");
+  EXPECT_EQ(edgeCount(all, EdgeKind::Tear), 2u);
+  EXPECT_EQ(edgeCount(run(folded + "tear 100,50 70,50 top 1"), EdgeKind::Tear), 1u);
+  // Mending takes the same words.
+  EXPECT_EQ(edgeCount(after(all, "mend 100,50 70,50"), EdgeKind::Tear), 1u);
+  EXPECT_EQ(edgeCount(after(all, "mend 100,50 70,50 layers all"), EdgeKind::Tear), 0u);
+  EXPECT_EQ(edgeCount(after(all, "mend @model 100,50 70,50"), EdgeKind::Tear), 0u);
+}
+
 TEST(Tear, OfANarrowSlitInsideKeepsOnePiece) {
   const FoldedState state = run("square 100; edge 50,0 50,100; edge 0,50 100,50; tear 50,50 50,30");
   EXPECT_TRUE(isClean(state));
