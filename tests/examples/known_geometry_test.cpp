@@ -1,5 +1,5 @@
-// Traditional models have the creases, outlines, layers and colours that folders know, in closed
-// form. SPDX-License-Identifier: MIT
+// Traditional models have the creases, outlines, layers and colours that folders know.
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>
 
@@ -136,6 +136,34 @@ TEST(WaterbombBase, IsARightAngledTriangleOfFourLayers) {
   int bases = 0;
   for (const auto& state : butterfly.states) bases += isWaterbombBase(*state) ? 1 : 0;
   EXPECT_GE(bases, 1);
+}
+
+/// The jumping frog of a card w wide and 2 w long ("Origami Jumping Frogs", msnovak.blogspot.com,
+/// steps 3 to 16; "Origami frog", everything2.com): its head is a waterbomb base of the upper half,
+/// whose two flaps go up to the tip and make a square on its corner.
+TEST(Frog, ItsHeadIsAWaterbombBaseWithBothFlapsUp) {
+  const FoldedState& base = stateAfter("origami_frog", "right front flap");
+  EXPECT_TRUE(liesAt(base, {-50, 100}, {-50, 0, 0}));  // the left flap still lies down
+  const FoldedState& head = stateAfter("origami_frog", "left front flap");
+  EXPECT_TRUE(hasHull(head, {{-50, -100}, {50, -100}, {50, 0}, {0, 50}, {-50, 0}}));
+  EXPECT_TRUE(liesAt(head, {50, 100}, {0, 50, 0}));
+  EXPECT_TRUE(liesAt(head, {-50, 100}, {0, 50, 0}));
+  EXPECT_TRUE(liesAt(head, {0, 100}, {0, 0, 0}));
+  EXPECT_EQ(layersAt(head, {10, 30}), 6);  // the base, and the flap folded on it
+  EXPECT_EQ(layersAt(head, {40, 5}), 2);   // what lay below the flap
+}
+
+/// Then the sides go to the middle, and the lower edge goes up while its corners are pulled out:
+/// a body half as wide as the card on a boat as wide as the card; its points turned down, a
+/// hexagon.
+TEST(Frog, ItsBodyIsHalfAsWideAsTheCardAndItsTailABoat) {
+  const FoldedState& boat = stateAfter("origami_frog", "lower edge");
+  EXPECT_TRUE(
+      hasHull(boat, {{-25, -75}, {25, -75}, {50, -50}, {25, 25}, {0, 50}, {-25, 25}, {-50, -50}}));
+  const FoldedState& legs = stateAfter("origami_frog", "left hind leg");
+  EXPECT_TRUE(hasHull(legs, {{0, -100}, {25, -75}, {25, 25}, {0, 50}, {-25, 25}, {-25, -75}}));
+  EXPECT_TRUE(liesAt(legs, {50, -100}, {0, -100, 0}));
+  EXPECT_TRUE(liesAt(legs, {-50, -100}, {0, -100, 0}));
 }
 
 /// The bird base of a square of side 2: its creases meet tan 22.5 degrees from the sides
