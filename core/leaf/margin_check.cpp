@@ -9,7 +9,7 @@
 namespace kiri {
 namespace {
 
-constexpr int kPerPiece = 8;
+constexpr int kSamplesPerPiece = 8;
 /// Lobes and sinuses must open by more than this on either side of their crease: the sine of about
 /// one degree.
 constexpr double kSlender = 0.0175;
@@ -40,7 +40,7 @@ Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
               const std::string& what) {
   const std::string tip = "the " + half.creases()[half.tipOf(facet)].name;
   const std::string sinus = "the " + half.creases()[half.sinusOf(facet)].name;
-  const std::size_t at = curve.crossings[half.tipOf(facet)] + sample / kPerPiece;
+  const std::size_t at = curve.crossings[half.tipOf(facet)] + sample / kSamplesPerPiece;
   const MarginKnot* culprit = culpritNear(half, knots, curve, facet, at);
   const std::string near = culprit == nullptr ? "" : " at " + told(*culprit);
   return badMargin("no single margin cuts " + tip + " and " + sinus +
@@ -75,7 +75,7 @@ Status checkFacet(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
                      told(knots[half.sinusOf(facet)]) +
                      ": it must come nearer to the petiole from one to the next" + kRemedy);
   }
-  const std::vector<Vec2> places = marginOfFacet(half, curve, facet, kPerPiece);
+  const std::vector<Vec2> places = marginOfFacet(half, curve, facet, kSamplesPerPiece);
   const auto roomAt = [&](std::size_t k) {
     return std::min(roomBeside(before, places[k]), -roomBeside(behind, places[k]));
   };
@@ -153,9 +153,9 @@ Status checkOnce(const FoldedHalf& half, const MarginCurve& curve, const Stretch
   const std::size_t own = curve.crossings[stretch.crease];
   for (std::size_t i = 0; i < curve.arcs.size(); ++i) {
     if (i == own || i + 1 == own) continue;
-    for (int k = 0; k < kPerPiece; ++k) {
-      const Vec2 a = pointAt(curve.arcs[i], static_cast<double>(k) / kPerPiece);
-      const Vec2 b = pointAt(curve.arcs[i], static_cast<double>(k + 1) / kPerPiece);
+    for (int k = 0; k < kSamplesPerPiece; ++k) {
+      const Vec2 a = pointAt(curve.arcs[i], static_cast<double>(k) / kSamplesPerPiece);
+      const Vec2 b = pointAt(curve.arcs[i], static_cast<double>(k + 1) / kSamplesPerPiece);
       if (!doCross(a, b, stretch.from, stretch.to)) continue;
       return badMargin("no single margin cuts all layers: it would cut the " +
                        half.creases()[stretch.crease].name +

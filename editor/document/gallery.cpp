@@ -52,7 +52,7 @@ Gallery groupsIn(const fs::path& folder) {
 
 std::string figureIn(const std::string& notes) {
   const std::size_t colon = notes.find(':');
-  if (colon == std::string::npos || colon > kLongestFigure) return "";
+  if (colon > kLongestFigure) return "";  // npos too
   std::string start = notes.substr(0, colon);
   return start.find("Figure ") == std::string::npos ? "" : start;
 }

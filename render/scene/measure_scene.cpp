@@ -8,7 +8,7 @@
 
 #include "core/paper/boxes.h"
 #include "core/paper/contours.h"
-#include "render/scene/label_places.h"
+#include "render/scene/label_room.h"
 
 namespace kiri {
 namespace {
@@ -94,7 +94,7 @@ class MeasureItems {
   }
 
   /// Labels that find a place: lobes first, then sinuses, then what teeth leave room for.
-  Group numbers(LabelPlaces places, const Vec2& caption) const {
+  Group numbers(LabelRoom places, const Vec2& caption) const {
     Group group{"numbers", "numbers", {}, {}};
     for (int turn = 0; turn < 3; ++turn) {
       for (std::size_t i = 0; i < m_.margin.size(); ++i) {
@@ -133,7 +133,7 @@ class MeasureItems {
   }
 
   /// Angle and length beyond the end of the ray, where there is room for them.
-  void addLabel(std::size_t i, LabelPlaces& places, Group& group) const {
+  void addLabel(std::size_t i, LabelRoom& places, Group& group) const {
     const MarginPoint& point = m_.margin[i];
     const double height = kTextPart * size_;
     const Vec2 end = toScene_.apply(point.place);
@@ -175,7 +175,7 @@ Scene measureScene(const FoldedState& state, const LeafMeasures& measures,
   const Vec2 caption{scene.width / 2, 2 * height};
   const Box free{{height / 2, caption.y + 2 * height},
                  {scene.width - height / 2, scene.height - height / 2}};
-  const LabelPlaces places(borderLoops(state.pattern, toScene, height / 2), free);
+  const LabelRoom places(borderLoops(state.pattern, toScene, height / 2), free);
   const MeasureItems items(measures, toScene, size);
   for (const bool ofLobes : {false, true}) scene.groups.push_back(items.rays(ofLobes));
   scene.groups.push_back(items.axis());

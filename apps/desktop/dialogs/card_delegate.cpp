@@ -12,7 +12,7 @@ namespace kiri::desktop {
 
 namespace {
 
-constexpr int kMargin = 3;
+constexpr int kCardMargin = 3;
 constexpr int kPadding = 9;
 constexpr int kTitleLines = 2;
 
@@ -20,7 +20,8 @@ constexpr int kTitleLines = 2;
 
 QSize CardDelegate::sizeFor(const QFontMetrics& metrics) {
   const int words = (kTitleLines + 1) * metrics.lineSpacing();
-  return {kPicture + 2 * (kPadding + kMargin), kPicture + words + 3 * kPadding + 2 * kMargin};
+  return {kPicture + 2 * (kPadding + kCardMargin),
+          kPicture + words + 3 * kPadding + 2 * kCardMargin};
 }
 
 QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
@@ -36,7 +37,8 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setRenderHint(QPainter::SmoothPixmapTransform);
   const QRectF card =
-      QRectF(option.rect).adjusted(kMargin + 0.5, kMargin + 0.5, -kMargin - 0.5, -kMargin - 0.5);
+      QRectF(option.rect)
+          .adjusted(kCardMargin + 0.5, kCardMargin + 0.5, -kCardMargin - 0.5, -kCardMargin - 0.5);
   if (isHovered || hasFocus) {
     painter->setPen(QPen(hasFocus ? t.accent : t.line, hasFocus ? 2 : 1));
     painter->setBrush(t.cardHover);

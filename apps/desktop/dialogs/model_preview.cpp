@@ -16,7 +16,7 @@ namespace kiri::desktop {
 namespace {
 
 constexpr int kWidth = 300;
-constexpr int kMargin = 20;
+constexpr int kPreviewMargin = 20;
 constexpr int kPicture = 220;
 constexpr int kMoment = 82;
 constexpr int kMomentSpacing = 6;
@@ -74,7 +74,7 @@ ModelPreview::ModelPreview(ModelCards& cards, TaskRunner& runner, QWidget* paren
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   notes_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* column = new QVBoxLayout(inside_);
-  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setContentsMargins(kPreviewMargin, kPreviewMargin, kPreviewMargin, kPreviewMargin);
   column->setSpacing(8);
   column->addWidget(picture_);
   column->addWidget(title_);
@@ -92,7 +92,7 @@ ModelPreview::ModelPreview(ModelCards& cards, TaskRunner& runner, QWidget* paren
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFocusPolicy(Qt::NoFocus);
   hint_->setAlignment(Qt::AlignCenter);
-  hint_->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  hint_->setContentsMargins(kPreviewMargin, kPreviewMargin, kPreviewMargin, kPreviewMargin);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(hint_);

@@ -21,7 +21,7 @@ namespace kiri::desktop {
 namespace {
 
 constexpr int kRoomForPreview = 840;  // of the page's width; narrower ones show cards only
-constexpr int kMargin = 32;
+constexpr int kPageMargin = 32;
 
 QPushButton* bigButton(const QString& iconName, const QString& text, bool isFirst) {
   auto* button = new QPushButton(icon(iconName), text);
@@ -44,7 +44,7 @@ StartPage::StartPage(TaskRunner& runner, Settings& settings, QWidget* parent)
       preview_(new ModelPreview(*cards_, runner)) {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(kMargin, 28, kMargin, 28);
+  column->setContentsMargins(kPageMargin, 28, kPageMargin, 28);
   column->setSpacing(24);
   column->addWidget(makeHead());
   column->addWidget(makeSheets());

@@ -9,7 +9,7 @@
 namespace kiri::desktop {
 namespace {
 
-constexpr int kLines = 5;
+constexpr int kNoteLines = 5;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void NotesBox::show(const QString& text) {
 
 QSize NotesBox::sizeHint() const {
   const int rim = 2 * frameWidth() + static_cast<int>(2 * document()->documentMargin());
-  return {120, kLines * fontMetrics().lineSpacing() + rim};
+  return {120, kNoteLines * fontMetrics().lineSpacing() + rim};
 }
 
 void NotesBox::focusOutEvent(QFocusEvent* event) {

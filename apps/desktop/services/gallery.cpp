@@ -73,7 +73,7 @@ QImage drawCard(const QString& path, int pixels, const Progress& progress) {
   const Result<std::string> text = readFile(file);
   if (!text) return {};
   const QString key = pictureKey(*text, QString("card %1").arg(pixels));
-  if (const QImage kept = keptPicture(key); !kept.isNull()) return kept;
+  if (QImage kept = keptPicture(key); !kept.isNull()) return kept;
   const Result<Image> drawn = isPatternName(file) ? drawPattern(*text, file, pixels, progress)
                                                   : galleryPicture(file, pixels, progress);
   if (!drawn) return {};

@@ -75,8 +75,8 @@ QList<ModelMoment> momentsIn(const QString& path, int pixels, double density,
   if (QList<ModelMoment> kept = keptMoments(*text, pixels); !kept.isEmpty()) return kept;
   const Result<LoadedModel> loaded = readKiri(*text, path.toStdString());
   if (!loaded) return {};
-  const QList<ModelMoment> drawn = drawMoments(loaded->model, pixels, density, progress);
-  for (const ModelMoment& moment : drawn)
+  QList<ModelMoment> drawn = drawMoments(loaded->model, pixels, density, progress);
+  for (const ModelMoment& moment : std::as_const(drawn))
     keepPicture(keyOf(*text, moment.kind, pixels), moment.picture);
   return drawn;
 }

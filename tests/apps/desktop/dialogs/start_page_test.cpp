@@ -182,7 +182,10 @@ TEST_F(StartPageTest, PicturesOfAnEarlierRunAreThereAtOnce) {
   const QString path = page.gallery().paths().front();
   const QImage first = page.cards().card(path).picture;
   const QImage again = drawCard(path, first.width(), [](double) { return false; });
-  EXPECT_EQ(again, first) << "nothing was folded: that would have been stopped";
+  // Read from the disk, a picture may have its pixels in another order.
+  EXPECT_EQ(again.convertToFormat(QImage::Format_ARGB32),
+            first.convertToFormat(QImage::Format_ARGB32))
+      << "nothing was folded: that would have been stopped";
 }
 
 TEST_F(StartPageTest, AFileThatIsNoModelHasACardWithoutPicture) {

@@ -17,10 +17,10 @@ struct LabelPlace {
 };
 
 /// Keeps labels off the shape, off each other, and on the page. All in scene coordinates.
-class LabelPlaces {
+class LabelRoom {
  public:
   /// `loops`: the shape's borders as closed polylines with short sides.
-  LabelPlaces(std::vector<std::vector<Vec2>> loops, const Box& page)
+  LabelRoom(std::vector<std::vector<Vec2>> loops, const Box& page)
       : loops_(std::move(loops)), page_(page) {}
 
   /// The first free place for a label of `size` beyond `from` in a direction (unit), not farther

@@ -1,6 +1,6 @@
 // Walks outward until a box is free.
 // SPDX-License-Identifier: MIT
-#include "render/scene/label_places.h"
+#include "render/scene/label_room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ bool isWithin(const Box& box, const Box& page) {
 
 }  // namespace
 
-bool LabelPlaces::isOnShape(const Box& box) const {
+bool LabelRoom::isOnShape(const Box& box) const {
   const Vec2 p = (box.low + box.high) / 2;
   bool isInside = false;
   for (const auto& loop : loops_) {
@@ -32,13 +32,13 @@ bool LabelPlaces::isOnShape(const Box& box) const {
   return isInside;
 }
 
-bool LabelPlaces::isFree(const Box& box) const {
+bool LabelRoom::isFree(const Box& box) const {
   const bool isTaken = std::any_of(taken_.begin(), taken_.end(),
                                    [&box](const Box& other) { return areNear(box, other, 0); });
   return !isTaken && isWithin(box, page_) && !isOnShape(box);
 }
 
-bool LabelPlaces::isClear(Vec2 from, Vec2 to) const {
+bool LabelRoom::isClear(Vec2 from, Vec2 to) const {
   constexpr int kSteps = 32;
   for (int i = 0; i <= kSteps; ++i) {
     const Vec2 p = lerp(from, to, static_cast<double>(i) / kSteps);
@@ -49,7 +49,7 @@ bool LabelPlaces::isClear(Vec2 from, Vec2 to) const {
   return true;
 }
 
-std::optional<LabelPlace> LabelPlaces::take(Vec2 from, Vec2 direction, Vec2 size, double reach) {
+std::optional<LabelPlace> LabelRoom::take(Vec2 from, Vec2 direction, Vec2 size, double reach) {
   const double half = (std::abs(direction.x) * size.x + std::abs(direction.y) * size.y) / 2;
   const double step = size.y / 2;
   for (double away = step; away <= reach; away += step) {
