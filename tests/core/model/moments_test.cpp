@@ -21,7 +21,7 @@ Moments momentsOfText(const std::string& text) {
 }
 
 /// The angles of the hinges, without signs, from the smallest.
-std::vector<double> anglesOf(const FoldedState& state) {
+std::vector<double> allAngles(const FoldedState& state) {
   std::vector<double> angles;
   for (const Edge& edge : state.pattern.edges)
     if (edge.kind == EdgeKind::Hinge) angles.push_back(std::abs(edge.angle));
@@ -36,7 +36,7 @@ TEST(Moments, AModelThatIsUnfoldedAtTheEndIsFoldedBefore) {
   EXPECT_EQ(moments.halfWay, HalfWay::Unfolding);
   ASSERT_TRUE(moments.half);
   EXPECT_EQ(violationsOf(*moments.half), std::vector<std::string>{});
-  const std::vector<double> angles = anglesOf(*moments.half);
+  const std::vector<double> angles = allAngles(*moments.half);
   EXPECT_TRUE(std::any_of(angles.begin(), angles.end(), [](double angle) {
     return angle > 10 && angle < 170;
   })) << "it does not lie flat";
@@ -55,7 +55,7 @@ TEST(Moments, UnfoldedIsAllThePaperThatIsLeftAtRest) {
   const Moments moments =
       momentsOfText(std::string(kFan) + "; cut @model 80,-5 80,105 through keep m:60,60");
   EXPECT_EQ(violationsOf(moments.unfolded), std::vector<std::string>{});
-  for (const double angle : anglesOf(moments.unfolded)) EXPECT_EQ(angle, 0);
+  for (const double angle : allAngles(moments.unfolded)) EXPECT_EQ(angle, 0);
   for (const Rigid& pose : moments.unfolded.poses)
     EXPECT_EQ(distance(pose.apply(Vec2{1, 2}), Vec3{1, 2, 0}), 0) << "the paper frame";
 }
@@ -63,7 +63,7 @@ TEST(Moments, UnfoldedIsAllThePaperThatIsLeftAtRest) {
 TEST(Moments, AFoldThatIsHalfUnfoldedStandsUpright) {
   const Moments moments = momentsOfText("square 100; fold one valley 50,-5 50,105 left");
   ASSERT_EQ(moments.halfWay, HalfWay::Unfolding);
-  EXPECT_NEAR(anglesOf(*moments.half).back(), 90, 1e-9);
+  EXPECT_NEAR(allAngles(*moments.half).back(), 90, 1e-9);
 }
 
 TEST(Moments, OfSeveralFoldedMomentsThatOfMostFoldsCounts) {
