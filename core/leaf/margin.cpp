@@ -20,7 +20,7 @@ constexpr double kBeyond = 0.05;
 constexpr double kWidest = 0.04;
 constexpr double kGrowth = 0.4;
 /// Samples of a gap between knots by which data points are spread over it.
-constexpr int kSamples = 32;
+constexpr int kMarginSamples = 32;
 constexpr int kDensest = 4;
 
 /// By distance from the petiole, which falls all along the margin; of two rays that end in one
@@ -100,9 +100,9 @@ std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots, int density)
   std::vector<Vec2> points = {thread.knot(0)};
   for (std::size_t i = 0; i < thread.gaps(); ++i) {
     std::vector<double> counts = {0};  // of data points up to a sample
-    for (int k = 0; k < kSamples; ++k) {
-      const double t = (k + 0.5) / kSamples;
-      counts.push_back(counts.back() + thread.gap(i) / kSamples / thread.spacing(i, t));
+    for (int k = 0; k < kMarginSamples; ++k) {
+      const double t = (k + 0.5) / kMarginSamples;
+      counts.push_back(counts.back() + thread.gap(i) / kMarginSamples / thread.spacing(i, t));
     }
     const int parts = std::max(1, static_cast<int>(std::lround(density * counts.back())));
     std::size_t k = 0;
@@ -110,7 +110,7 @@ std::vector<Vec2> pointsAlong(const std::vector<MarginKnot>& knots, int density)
       const double wanted = counts.back() * p / parts;
       while (counts[k + 1] < wanted) ++k;
       const double beyond = (wanted - counts[k]) / (counts[k + 1] - counts[k]);
-      points.push_back(thread.at(i, (static_cast<double>(k) + beyond) / kSamples));
+      points.push_back(thread.at(i, (static_cast<double>(k) + beyond) / kMarginSamples));
     }
     points.push_back(thread.knot(i + 1));
   }

@@ -12,7 +12,7 @@
 namespace kiri {
 namespace {
 
-constexpr double kRightAngle = 90;
+constexpr double kQuarterTurn = 90;
 /// Junctions nearer to the ends of a vein leave paper too small for a fold.
 constexpr double kLeastPart = 0.01;
 
@@ -33,7 +33,7 @@ Status checkAngles(const SecondaryLobes& pair, const std::string& of) {
                    "): no crease would end in the sinus between the two " +
                    "tips; give it a smaller angle than the vein");
   }
-  if (!(a1 > 0 && a2 > a1 && a2 < kRightAngle)) {
+  if (!(a1 > 0 && a2 > a1 && a2 < kQuarterTurn)) {
     return badLobe("the angles of secondary anti-vein (" + text(a1) + ") and vein (" + text(a2) +
                    ") of " + of + " must rise from its vein and stay below 90 degrees");
   }

@@ -24,7 +24,7 @@ constexpr double kBorderPart = 0.003;
 /// Room for numbers beside the leaf, in heights of the text.
 constexpr double kRoom = 9;
 /// Width of a letter in the label, and how far off a tooth its label may stand, in heights too.
-constexpr double kLetterWidth = 0.56;
+constexpr double kDigitWidth = 0.56;
 constexpr double kMinorReach = 12;
 /// How much white is mixed into the paper, so that lines and numbers stand out.
 constexpr double kWhite = 0.75;
@@ -140,7 +140,7 @@ class MeasureItems {
     const Vec2 outward = normalized(toScene_.direction(point.place - m_.petiole));
     const std::string number =
         rounded(std::abs(point.angle), 1) + "\u00b0 " + rounded(point.length, 1);
-    const Vec2 room{kLetterWidth * height * static_cast<double>(number.size()), 1.2 * height};
+    const Vec2 room{kDigitWidth * height * static_cast<double>(number.size()), 1.2 * height};
     const auto place = places.take(end, outward, room, isMinor(i) ? kMinorReach * height : size_);
     if (!place) return;
     if (place->isAway) group.items.push_back(line(end, place->near, colorOf(point), 0.5, true));

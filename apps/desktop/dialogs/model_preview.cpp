@@ -15,9 +15,9 @@ namespace kiri::desktop {
 
 namespace {
 
-constexpr int kWidth = 300;
+constexpr int kPreviewWidth = 300;
 constexpr int kPreviewMargin = 20;
-constexpr int kPicture = 220;
+constexpr int kPreviewPicture = 220;
 constexpr int kMoment = 82;
 constexpr int kMomentSpacing = 6;
 constexpr int kRest = 120;  // ms that the pointer rests before pictures are made
@@ -64,8 +64,8 @@ ModelPreview::ModelPreview(ModelCards& cards, TaskRunner& runner, QWidget* paren
       open_(new QPushButton(tr("Open"))) {
   setObjectName("preview");
   setAccessibleName(tr("More about the model"));
-  setFixedWidth(kWidth);
-  picture_->setFixedHeight(kPicture);
+  setFixedWidth(kPreviewWidth);
+  picture_->setFixedHeight(kPreviewPicture);
   picture_->setAlignment(Qt::AlignCenter);
   title_->setWordWrap(true);
   title_->setTextFormat(Qt::PlainText);
@@ -144,7 +144,7 @@ void ModelPreview::say() {
   const ModelCard card = cards_.card(path_);
   const double ratio = devicePixelRatioF();
   const QImage whole =
-      whole_.isNull() ? fitted(card.picture, static_cast<int>(kPicture * ratio)) : whole_;
+      whole_.isNull() ? fitted(card.picture, static_cast<int>(kPreviewPicture * ratio)) : whole_;
   setPicture(*picture_, whole, ratio);
   title_->setText(card.title);
   QStringList facts;
@@ -163,7 +163,7 @@ void ModelPreview::ask() {
   auto made = std::make_shared<Made>();
   task_.ask({{},
              [path = path_, ratio = devicePixelRatioF(), made](const Progress& progress) {
-               made->whole = drawCard(path, static_cast<int>(kPicture * ratio), progress);
+               made->whole = drawCard(path, static_cast<int>(kPreviewPicture * ratio), progress);
                made->moments = momentsIn(path, static_cast<int>(kMoment * ratio), ratio, progress);
              },
              [this, path = path_, made] {

@@ -12,7 +12,7 @@
 namespace kiri::test {
 namespace {
 
-constexpr const char* kFan =
+constexpr const char* kMomentFan =
     "square 100; fold one valley 50,-5 50,105 left; fold two valley -5,50 105,50 left";
 
 Moments momentsOfText(const std::string& text) {
@@ -30,7 +30,7 @@ std::vector<double> allAngles(const FoldedState& state) {
 }
 
 TEST(Moments, AModelThatIsUnfoldedAtTheEndIsFoldedBefore) {
-  const Moments moments = momentsOfText(std::string(kFan) + "; unfold all together");
+  const Moments moments = momentsOfText(std::string(kMomentFan) + "; unfold all together");
   EXPECT_EQ(moments.folded, 2u);
   EXPECT_TRUE(moments.isOpenAtTheEnd);
   EXPECT_EQ(moments.halfWay, HalfWay::Unfolding);
@@ -43,7 +43,7 @@ TEST(Moments, AModelThatIsUnfoldedAtTheEndIsFoldedBefore) {
 }
 
 TEST(Moments, AFoldedModelIsOpenedHalfAlthoughNoStepDoesIt) {
-  const Moments moments = momentsOfText(kFan);
+  const Moments moments = momentsOfText(kMomentFan);
   EXPECT_EQ(moments.folded, 2u);
   EXPECT_FALSE(moments.isOpenAtTheEnd);
   EXPECT_EQ(moments.halfWay, HalfWay::Unfolding);
@@ -53,7 +53,7 @@ TEST(Moments, AFoldedModelIsOpenedHalfAlthoughNoStepDoesIt) {
 
 TEST(Moments, UnfoldedIsAllThePaperThatIsLeftAtRest) {
   const Moments moments =
-      momentsOfText(std::string(kFan) + "; cut @model 80,-5 80,105 through keep m:60,60");
+      momentsOfText(std::string(kMomentFan) + "; cut @model 80,-5 80,105 through keep m:60,60");
   EXPECT_EQ(violationsOf(moments.unfolded), std::vector<std::string>{});
   for (const double angle : allAngles(moments.unfolded)) EXPECT_EQ(angle, 0);
   for (const Rigid& pose : moments.unfolded.poses)
@@ -67,7 +67,8 @@ TEST(Moments, AFoldThatIsHalfUnfoldedStandsUpright) {
 }
 
 TEST(Moments, OfSeveralFoldedMomentsThatOfMostFoldsCounts) {
-  const std::string text = std::string(kFan) + "; unfold all; fold three valley -5,25 105,25 left";
+  const std::string text =
+      std::string(kMomentFan) + "; unfold all; fold three valley -5,25 105,25 left";
   EXPECT_EQ(momentsOfText(text).folded, 2u);
   EXPECT_FALSE(momentsOfText(text).isOpenAtTheEnd);
 }
