@@ -102,8 +102,8 @@ Step marginCut(const LeafPlan& plan, double turn) {
           ""};
 }
 
-Step openLeaf(const LeafPlan& plan, Sequence sequence) {
-  return {UnfoldStep{{}, sequence}, "Unfold the leaf",
+Step openLeaf(const LeafPlan& plan) {
+  return {UnfoldStep{{}, Sequence::Together}, "Unfold the leaf",
           figure(plan, "Figure 7.2j", "Figure 7.3e", "Figure 7.4j") +
               "All fold lines open; each layer was a part of one lobe.",
           ""};
@@ -126,7 +126,7 @@ void addSimpleFolds(const LeafPlan& plan, Model& model) {
                              "anti-veins to the other, as in the bud.",
                          ""});
   model.steps.push_back(marginCut(plan, 0));
-  model.steps.push_back(openLeaf(plan, Sequence::Together));
+  model.steps.push_back(openLeaf(plan));
 }
 
 }  // namespace kiri

@@ -36,8 +36,8 @@ std::vector<Step> rayFolds(const LeafPlan& plan, int side, FoldType type);
 /// and for torn secondary lobes; nothing where that is empty.
 std::string figure(const LeafPlan& plan, const std::string& onEdge, const std::string& inside,
                    const std::string& torn);
-/// Unfolds everything.
-Step openLeaf(const LeafPlan& plan, Sequence sequence);
+/// Unfolds everything at once.
+Step openLeaf(const LeafPlan& plan);
 /// The margin through all layers. `turn`: degrees, clockwise, by which the innermost sector is
 /// turned about the junction from where it lies on the sheet.
 Step marginCut(const LeafPlan& plan, double turn);

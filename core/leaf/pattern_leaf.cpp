@@ -84,7 +84,7 @@ Status addPattern(const LeafPlan& plan, Model& model) {
        "each other, so none of them folds alone.",
        ""});
   model.steps.push_back(marginCut(plan, 0));
-  model.steps.push_back(openLeaf(plan, Sequence::Together));
+  model.steps.push_back(openLeaf(plan));
   return std::monostate{};
 }
 

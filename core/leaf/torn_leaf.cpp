@@ -70,7 +70,7 @@ Status addTornFolds(const LeafPlan& plan, Model& model) {
     for (Step& step : rayFolds(plan, side, type)) model.steps.push_back(std::move(step));
   }
   model.steps.push_back(marginCut(plan, -2 * (lobes.vein.angle - lobes.antiVein.angle)));
-  model.steps.push_back(openLeaf(plan, Sequence::InOrder));
+  model.steps.push_back(openLeaf(plan));
   model.steps.push_back(
       {MendStep{}, "Mend the tear", "Its sides lie together again: the tear cost no paper.", ""});
   return std::monostate{};

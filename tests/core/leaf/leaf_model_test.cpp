@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/model/replay.h"
+#include "core/model/timeline.h"
 #include "core/paper/contours.h"
 
 namespace kiri {
@@ -125,6 +126,23 @@ TEST(LeafModel, SecondaryLobesAreWhereTheRecipePutsThemWithATearOrWithout) {
         });
         EXPECT_NE(near, found.end()) << ray.angle << " on side " << side;
       }
+    }
+  }
+}
+
+TEST(LeafModel, OpensAllItsFoldsAtOnceWithATearOrWithout) {
+  for (const LeafRecipe& recipe :
+       {sycamore(), mapleWithSecondaryLobes(false), mapleWithSecondaryLobes(true)}) {
+    const Result<LeafModel> leaf = leafModelOf(recipe);
+    ASSERT_TRUE(leaf) << leaf.error().message;
+    const Result<Timeline> timeline = Timeline::of(leaf->model);
+    ASSERT_TRUE(timeline) << timeline.error().message;
+    const bool isTorn = !recipe.secondary.empty() && recipe.secondary[0].isTorn;
+    const std::size_t opening = leaf->model.steps.size() - (isTorn ? 2 : 1);
+    ASSERT_EQ(timeline->movementsOf(opening).size(), 1u);
+    const FoldedState half = stateAlong(timeline->movementsOf(opening), 0.5);
+    for (const Edge& edge : half.pattern.edges) {
+      if (edge.kind == EdgeKind::Hinge) EXPECT_GT(std::abs(edge.angle), 10);
     }
   }
 }
