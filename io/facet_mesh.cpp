@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/geometry/flattened_parts.h"
 #include "core/geometry/region.h"
 
 namespace kiri {
@@ -47,8 +48,11 @@ class PointGrid {
 
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const CreasePattern& pattern)
-      : pattern_(pattern), near_(4 * pattern.tolerance.length()), grid_(cellFor(pattern)) {}
+  MeshBuilder(const CreasePattern& pattern, double chordError)
+      : pattern_(pattern),
+        chordError_(chordError),
+        near_(4 * pattern.tolerance.length()),
+        grid_(cellFor(pattern)) {}
 
   FacetMesh build() {
     for (std::size_t f = 0; f < pattern_.facets.size(); ++f) addFacet(FacetId(f));
@@ -81,7 +85,7 @@ class MeshBuilder {
       if (pattern_[use.edge].isCurved()) mesh_.hasCurves = true;
     }
     const std::vector<ConvexPart> parts =
-        convexParts(regionOf(pattern_, facet), pattern_.tolerance);
+        convexPartsWithin(regionOf(pattern_, facet), pattern_.tolerance, chordError_);
     if (parts.size() > 1) mesh_.hasJoins = true;
     for (const ConvexPart& part : parts) {
       MeshFace face;
@@ -182,6 +186,7 @@ class MeshBuilder {
   }
 
   const CreasePattern& pattern_;
+  double chordError_;
   double near_;
   PointGrid grid_;
   FacetMesh mesh_;
@@ -189,6 +194,9 @@ class MeshBuilder {
 
 }  // namespace
 
-FacetMesh meshOf(const CreasePattern& pattern) { return MeshBuilder(pattern).build(); }
+FacetMesh meshOf(const CreasePattern& pattern, double chordError) {
+  const double error = chordError > 0 ? chordError : pattern.tolerance.flattening();
+  return MeshBuilder(pattern, error).build();
+}
 
 }  // namespace kiri

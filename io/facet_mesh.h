@@ -47,7 +47,7 @@ struct FacetMesh {
 };
 
 /// The mesh of a pattern. Faces are convex, without holes, and neighbours share whole sides; curves
-/// are polylines within tolerance.flattening().
-FacetMesh meshOf(const CreasePattern& pattern);
+/// are polylines within `chordError`, mm; 0: within tolerance.flattening().
+FacetMesh meshOf(const CreasePattern& pattern, double chordError = 0);
 
 }  // namespace kiri

@@ -3,6 +3,7 @@
 #include "io/fold_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -21,6 +22,31 @@ JsonValue integer(std::uint32_t value) { return JsonValue::ofNumber(value); }
 JsonValue indexOrNull(std::uint32_t value) {
   return value == MeshEdge::kNoFace ? JsonValue{} : integer(value);
 }
+
+/// Coordinates with as many digits as are wanted.
+class Coordinates {
+ public:
+  explicit Coordinates(int decimals) {
+    constexpr double kTen = 10;
+    if (decimals > 0) steps_ = std::pow(kTen, decimals);
+  }
+
+  JsonValue of(Vec2 v) const { return jsonPair(number(v.x), number(v.y)); }
+
+  JsonValue of(Vec3 v) const {
+    JsonValue triple = jsonPair(number(v.x), number(v.y));
+    triple.items.push_back(number(v.z));
+    return triple;
+  }
+
+ private:
+  /// Never -0.
+  JsonValue number(double value) const {
+    return JsonValue::ofNumber(steps_ > 0 ? std::round(value * steps_) / steps_ + 0.0 : value);
+  }
+
+  double steps_ = 0;
+};
 
 struct EdgeMeaning {
   const char* letter = "B";
@@ -103,21 +129,21 @@ JsonValue attributesOf(const char* dimension, const std::vector<MeshEdge>& edges
                         hasKind(edges, MeshEdgeKind::Join));
 }
 
-void addPattern(JsonValue& out, const FoldedState& state, const FacetMesh& mesh) {
+void addPattern(JsonValue& out, const FoldedState& state, const FacetMesh& mesh,
+                const Coordinates& coordinates) {
   out.add("frame_classes", jsonTexts({"creasePattern"}));
   out.add("frame_attributes", attributesOf("2D", mesh.edges));
   out.add("frame_unit", JsonValue::ofText("mm"));
-  JsonValue coordinates = JsonValue::array();
-  for (const Vec2 v : mesh.vertices) {
-    coordinates.items.push_back(jsonPair(JsonValue::ofNumber(v.x), JsonValue::ofNumber(v.y)));
-  }
-  out.add("vertices_coords", std::move(coordinates));
+  JsonValue places = JsonValue::array();
+  for (const Vec2 v : mesh.vertices) places.items.push_back(coordinates.of(v));
+  out.add("vertices_coords", std::move(places));
   addEdges(out, state, mesh.edges);
   addFaces(out, mesh.faces);
   addOrders(out, faceOrdersOf(state, mesh));
 }
 
-JsonValue foldedFrame(const FoldFrame& entry, const FacetMesh& mesh) {
+JsonValue foldedFrame(const FoldFrame& entry, const FacetMesh& mesh,
+                      const Coordinates& coordinates) {
   const FoldedState& state = *entry.state;
   const FoldedForm form = foldedFormOf(state, mesh);
   JsonValue out = JsonValue::object();
@@ -127,17 +153,11 @@ JsonValue foldedFrame(const FoldFrame& entry, const FacetMesh& mesh) {
   out.add("frame_attributes", attributesOf("3D", form.edges));
   out.add("frame_unit", JsonValue::ofText("mm"));
   out.add("frame_inherit", JsonValue::ofBool(false));
-  JsonValue coordinates = JsonValue::array();
+  JsonValue places = JsonValue::array();
   JsonValue rest = JsonValue::array();
-  for (std::size_t v = 0; v < form.vertices.size(); ++v) {
-    const Vec3 p = form.vertices[v];
-    JsonValue& at = coordinates.items.emplace_back(
-        jsonPair(JsonValue::ofNumber(p.x), JsonValue::ofNumber(p.y)));
-    at.items.push_back(JsonValue::ofNumber(p.z));
-    const Vec2 q = form.paper[v];
-    rest.items.push_back(jsonPair(JsonValue::ofNumber(q.x), JsonValue::ofNumber(q.y)));
-  }
-  out.add("vertices_coords", std::move(coordinates));
+  for (const Vec3 v : form.vertices) places.items.push_back(coordinates.of(v));
+  for (const Vec2 v : form.paper) rest.items.push_back(coordinates.of(v));
+  out.add("vertices_coords", std::move(places));
   out.add("vertices_kiri:paper", std::move(rest));
   addEdges(out, state, form.edges);
   addFaces(out, form.faces);
@@ -180,15 +200,16 @@ Exported writeFold(const FoldedState& state, const std::vector<FoldFrame>& histo
   addJsonText(out, "file_description", options.description);
   out.add("file_classes",
           history.empty() ? jsonTexts({"singleModel"}) : jsonTexts({"singleModel", "diagrams"}));
-  const FacetMesh mesh = meshOf(state.pattern);
+  const Coordinates coordinates(options.decimals);
+  const FacetMesh mesh = meshOf(state.pattern, options.chordError);
   losses.note(mesh);
-  addPattern(out, state, mesh);
+  addPattern(out, state, mesh, coordinates);
   if (!history.empty()) {
     JsonValue frames = JsonValue::array();
     for (const FoldFrame& entry : history) {
-      const FacetMesh own = meshOf(entry.state->pattern);
+      const FacetMesh own = meshOf(entry.state->pattern, options.chordError);
       losses.note(own);
-      frames.items.push_back(foldedFrame(entry, own));
+      frames.items.push_back(foldedFrame(entry, own, coordinates));
     }
     out.add("file_frames", std::move(frames));
   }

@@ -21,6 +21,8 @@ struct FoldOptions {
   std::string creator = "KiriSim";
   std::string title;
   std::string description;
+  double chordError = 0;  ///< mm by which polylines may miss curves; 0: the finest
+  int decimals = 0;       ///< digits of coordinates after the point; 0: all that a double has
 };
 
 /// A text in another format, and what that format could not hold.

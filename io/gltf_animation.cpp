@@ -121,7 +121,9 @@ Result<Exported> writeAnimatedGlb(const Timeline& timeline, const GltfOptions& o
   const Vec2 size = options.sheet.high - options.sheet.low;
   const auto meshOf = [&](const FacetTriangles& facet) { return meshes.meshOf(facet); };
   const Result<std::vector<FacetTrack>> tracks =
-      tracksOf(timeline, options.thickness + options.layerGap, kGltfMotionError * length(size),
+      tracksOf(timeline,
+               {options.thickness + options.layerGap, options.motionError * length(size),
+                options.chordError},
                meshOf, progress);
   if (!tracks.isOk()) return tracks.error();
   AnimationParts parts(document);

@@ -9,14 +9,10 @@
 
 namespace kiri {
 
-/// The largest way, as a share of the sheet's size, by which a facet may be off its true place
-/// between two key frames.
-inline constexpr double kGltfMotionError = 0.0002;
-
 /// One animation over the time line, seconds as there. A node for each facet that the paper ever
-/// has: facets stay rigid, key frames carry their places, as close as kGltfMotionError asks, and
-/// facets that are not there yet or any more are scaled to nothing. At rest, before a viewer plays
-/// it, the file shows the end. `options.isPattern` is not looked at. Errors: Cancelled.
+/// has: facets stay rigid, key frames carry their places, as close as `options.motionError` asks,
+/// and facets that are not there yet or any more are scaled to nothing. At rest, before a viewer
+/// plays it, the file shows the end. `options.isPattern` is not looked at. Errors: Cancelled.
 Result<Exported> writeAnimatedGlb(const Timeline& timeline, const GltfOptions& options,
                                   const Progress& progress = {});
 

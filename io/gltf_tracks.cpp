@@ -38,16 +38,16 @@ struct Sample {
 
 class Tracker {
  public:
-  Tracker(const Timeline& timeline, double gap, double error,
+  Tracker(const Timeline& timeline, const TrackOptions& options,
           const std::function<int(const FacetTriangles&)>& meshOf)
-      : timeline_(timeline), gap_(gap), error_(kAim * error), meshOf_(meshOf) {}
+      : timeline_(timeline), options_(options), error_(kAim * options.error), meshOf_(meshOf) {}
 
   void addPhase(const Phase& phase) {
     samples_.clear();
     levels_.clear();
     const Moment start{phase.step, phase.movement, 0, phase.isResting};
     const FoldedState state = timeline_.stateAt(start);
-    facets_ = trianglesOf(state.pattern, meshOf(state.pattern));
+    facets_ = trianglesOf(state.pattern, meshOf(state.pattern, options_.chordError));
     findTracks();
     for (const std::size_t track : trackOf_) show(tracks_[track], phase.start, phase.end);
     addKeys(sampleOf(phase, 0));
@@ -91,7 +91,8 @@ class Tracker {
     }
     const FoldedState state = timeline_.stateAt(moment);
     sample.poses = state.poses;
-    sample.lifted = gap_ == 0 ? state.poses : spreadPoses(state, gap_, levelsOf(state));
+    sample.lifted =
+        options_.gap == 0 ? state.poses : spreadPoses(state, options_.gap, levelsOf(state));
     return sample;
   }
 
@@ -178,7 +179,7 @@ class Tracker {
   }
 
   const Timeline& timeline_;
-  double gap_;
+  TrackOptions options_;
   double error_;
   const std::function<int(const FacetTriangles&)>& meshOf_;
   std::vector<FacetTriangles> facets_;  ///< of the phase under way
@@ -207,10 +208,10 @@ std::array<double, 4> slerp(const std::array<double, 4>& a, const std::array<dou
   return out;
 }
 
-Result<std::vector<FacetTrack>> tracksOf(const Timeline& timeline, double gap, double error,
+Result<std::vector<FacetTrack>> tracksOf(const Timeline& timeline, const TrackOptions& options,
                                          const std::function<int(const FacetTriangles&)>& meshOf,
                                          const Progress& progress) {
-  Tracker tracker(timeline, gap, error, meshOf);
+  Tracker tracker(timeline, options, meshOf);
   for (const Phase& phase : timeline.phases()) {
     const double whole = std::max(timeline.duration(), phase.end);
     if (!goesOn(progress, whole > 0 ? phase.start / whole : 0)) {

@@ -29,10 +29,16 @@ struct FacetTrack {
   std::vector<std::pair<double, double>> shown;  ///< from, to; in order, apart
 };
 
+/// All in mm.
+struct TrackOptions {
+  double gap = 0;         ///< by which layers are lifted
+  double error = 0;       ///< by which linear interpolation between two keys may miss
+  double chordError = 0;  ///< by which polylines may miss curves; 0: the finest
+};
+
 /// Follows all facets through a time line. `meshOf` names the shape of a facet: one name, one
-/// facet. Layers are lifted by `gap`; `error`: mm by which linear interpolation between two keys
-/// may miss. Errors: Cancelled.
-Result<std::vector<FacetTrack>> tracksOf(const Timeline& timeline, double gap, double error,
+/// facet. Errors: Cancelled.
+Result<std::vector<FacetTrack>> tracksOf(const Timeline& timeline, const TrackOptions& options,
                                          const std::function<int(const FacetTriangles&)>& meshOf,
                                          const Progress& progress);
 

@@ -14,7 +14,7 @@
 namespace kiri {
 
 Exported writeGlb(const FoldedState& state, const GltfOptions& options) {
-  const FacetMesh mesh = meshOf(state.pattern);
+  const FacetMesh mesh = meshOf(state.pattern, options.chordError);
   const std::vector<Rigid> poses = options.isPattern
                                        ? std::vector<Rigid>(state.poses.size())
                                        : spreadPoses(state, options.thickness + options.layerGap);

@@ -26,6 +26,10 @@ struct GltfOptions {
   double layerGap = kLayerGap;  ///< mm between a layer of a plane and the one below it
   double thickness = 0;         ///< mm; above zero each facet is a closed plate
   bool isPattern = false;       ///< the sheet at rest instead of the folded model
+  double chordError = 0;        ///< mm by which polylines may miss curves; 0: the finest
+  /// Animations: how far, as a share of the sheet's size, a facet may be off its true place between
+  /// two key frames.
+  double motionError = 0.0002;
 
   /// Enough for viewers to tell layers apart in a model of ordinary size, too little to see.
   static constexpr double kLayerGap = 0.05;

@@ -46,9 +46,10 @@ void printCompact(const JsonValue& value, std::string& out) {
 
 bool isLeaf(const JsonValue& value) { return !value.is(Kind::Array) && !value.is(Kind::Object); }
 
-/// A number or a list of numbers: what is packed many to a line.
+/// A number, null, a single letter, or a list of plain values: what is packed many to a line.
 bool isPacked(const JsonValue& value) {
-  if (value.is(Kind::Number)) return true;
+  if (value.is(Kind::Number) || value.is(Kind::Null)) return true;
+  if (value.is(Kind::String)) return value.text.size() == 1;
   if (!value.is(Kind::Array) || value.items.empty()) return false;
   for (const JsonValue& item : value.items) {
     if (!isLeaf(item)) return false;

@@ -68,9 +68,10 @@ std::string jsonString(std::string_view text);
 /// All on one line.
 std::string compactText(const JsonValue& value);
 
-/// Laid out for people: what fits in `width` columns stands on one line, points are packed into
-/// lines, everything else is broken with two spaces of indent. Objects and arrays whose depth is
-/// below `alwaysBroken` are broken in any case. Ends with a line break.
+/// Laid out for people: what fits in `width` columns stands on one line, points, numbers, nulls and
+/// single letters are packed into lines, everything else is broken with two spaces of indent.
+/// Objects and arrays whose depth is below `alwaysBroken` are broken in any case. Ends with a line
+/// break.
 std::string layOut(const JsonValue& value, std::size_t alwaysBroken, std::size_t width = 96);
 
 }  // namespace kiri

@@ -65,8 +65,9 @@ Status checkFilmOutput(const FilmOutput& output) {
 }
 
 Status shootInto(const Film& film, const FilmOutput& output, const Progress& progress) {
-  Result<Encoder> encoder = Encoder::start(
-      output.path, {formatOf(output.format), output.width, output.height, output.framesPerSecond});
+  Result<Encoder> encoder =
+      Encoder::start(output.path, {formatOf(output.format), output.width, output.height,
+                                   output.framesPerSecond, output.isSmall});
   if (!encoder.isOk()) return encoder.error();
   double done = 0;
   const Progress again = [&](double) { return goesOn(progress, done); };

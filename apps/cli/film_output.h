@@ -15,6 +15,7 @@ struct FilmOutput {
   int width = 640;
   int height = 480;
   double framesPerSecond = 25;
+  bool isSmall = false;  ///< for pages (EncoderOptions)
 };
 
 /// Mistakes that can be told before any work is done.

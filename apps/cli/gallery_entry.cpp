@@ -16,6 +16,7 @@
 #include "apps/cli/timeline_replay.h"
 #include "core/model/moments.h"
 #include "io/file.h"
+#include "io/fold_history.h"
 #include "io/gltf_animation.h"
 #include "io/kiri_writer.h"
 #include "render/canvas/png.h"
@@ -32,6 +33,12 @@ namespace {
 constexpr double kFilmElevation = 60;
 /// Twice as fast as films are by themselves: who leafs through a gallery has little time.
 constexpr double kFilmSpeed = 240;
+
+/// What is downloaded to be looked at may be a little coarser than what is exported: 0.02 mm on a
+/// sheet of 20 cm, and in motion 0.2 mm.
+constexpr double kCurveError = 0.0001;
+constexpr double kMotionError = 0.001;
+constexpr int kDecimals = 6;
 
 /// A drawing in its true size on a screen.
 GalleryPicture pictureOf(const Scene& scene, const std::string& label, const std::string& name) {
@@ -63,14 +70,15 @@ class EntryWriter {
     return bytes ? download(label, name, *bytes) : Status(bytes.error());
   }
   Result<GalleryPicture> picture(const Scene& scene, const std::string& label,
-                                 const std::string& name);
+                                 const std::string& name, int pixels);
   Status pictures(const Timeline& timeline, const Moments& moments, const Appearance& appearance);
   Status stepSheet(const Timeline& timeline, const Appearance& appearance);
   Status leaf(const Timeline& timeline, const Moments& moments, const Appearance& appearance);
   /// The model with its textures beside it, whose paths become those of the copies.
   Result<Model> withTextures();
   Status texture(PaperSide& side, const std::string& name);
-  Status models(const Timeline& timeline, const Appearance& appearance);
+  Status models(const Timeline& timeline, const Moments& moments, const Appearance& appearance);
+  std::string fold(const Timeline& timeline, const Moments& moments) const;
   Status film(const Timeline& timeline, const Appearance& appearance);
   std::size_t steps() const { return input_.model.steps.size(); }
   Progress progress() {
@@ -84,14 +92,14 @@ class EntryWriter {
 };
 
 Result<GalleryPicture> EntryWriter::picture(const Scene& scene, const std::string& label,
-                                            const std::string& name) {
-  const Result<Image> image = rasterise(scene, options_.pixels, options_.pixels);
+                                            const std::string& name, int pixels) {
+  const Result<Image> image = rasterise(scene, pixels, pixels);
   if (!image) return image.error();
   const Result<std::string> png = encodePng(*image, 0);
   if (!png) return png.error();
   const Status written = file(name, *png);
   if (!written) return written.error();
-  return GalleryPicture{label, name, options_.pixels, options_.pixels};
+  return GalleryPicture{label, name, pixels, pixels};
 }
 
 Status EntryWriter::pictures(const Timeline& timeline, const Moments& moments,
@@ -99,11 +107,16 @@ Status EntryWriter::pictures(const Timeline& timeline, const Moments& moments,
   const auto scenes = galleryScenesOf(timeline, steps(), moments, appearance, progress());
   if (!scenes) return scenes.error();
   for (const GalleryScene& scene : *scenes) {
-    Result<GalleryPicture> shown = picture(scene.scene, scene.label, scene.file + ".png");
+    Result<GalleryPicture> shown =
+        picture(scene.scene, scene.label, scene.file + ".png", options_.pixels);
     if (!shown) return shown.error();
     entry_.pictures.push_back(std::move(*shown));
   }
-  entry_.thumbnail = galleryThumbnailOf(*scenes, input_.model, moments);
+  entry_.emblem = galleryEmblemOf(*scenes, input_.model, moments);
+  const Result<GalleryPicture> small =
+      picture((*scenes)[entry_.emblem].scene, "", "thumbnail.png", options_.thumbnailPixels);
+  if (!small) return small.error();
+  entry_.thumbnail = *small;
   entry_.remark = halfWayRemark(moments.halfWay);
   return std::monostate{};
 }
@@ -145,26 +158,41 @@ Status EntryWriter::texture(PaperSide& side, const std::string& name) {
   return download("paper of the model (PNG)", name, *bytes);
 }
 
-Status EntryWriter::models(const Timeline& timeline, const Appearance& appearance) {
+std::string EntryWriter::fold(const Timeline& timeline, const Moments& moments) const {
+  const Replay replay = replayOf(timeline, steps());
+  std::vector<std::shared_ptr<const FoldedState>> after;
+  for (const StepOutcome& outcome : replay.outcomes) after.push_back(outcome.state);
+  const std::vector<FoldFrame> all = foldHistoryOf(input_.model, after);
+  std::vector<FoldFrame> frames;
+  if (moments.folded > 0) frames.push_back(all[moments.folded - 1]);
+  if (moments.folded < steps() && !moments.isOpenAtTheEnd) frames.push_back(all.back());
+  FoldOptions options{"KiriSim " KIRI_VERSION, entry_.title, entry_.notes};
+  const FoldedState& folded = timeline.stateAfter(moments.folded);
+  options.chordError = kCurveError * folded.tolerance().sheetSize();
+  options.decimals = kDecimals;
+  return writeFold(folded, frames, options).text;
+}
+
+Status EntryWriter::models(const Timeline& timeline, const Moments& moments,
+                           const Appearance& appearance) {
   const std::string base = entry_.folder;
   const Result<Model> model = withTextures();
   if (!model) return model.error();
-  Status status = download("model (.kiri)", base + ".kiri", writeKiri(*model));
+  Status status = download("the model, for KiriSim (.kiri)", base + ".kiri", writeKiri(*model));
   if (!status) return status;
-  const Replay replay = replayOf(timeline, steps());
-  const StepChoice end{steps(), 0};
-  const ExportSource source{input_, replay, end, timeline.stateAfter(steps())};
-  status = download("crease pattern and folded forms (.fold)", base + ".fold",
-                    exportedAs(console_, "fold", source, {}).text);
+  status = download("crease pattern and folded form, for other origami programs (.fold)",
+                    base + ".fold", fold(timeline, moments));
   if (!status) return status;
-  const Result<Exported> solid =
-      writeAnimatedGlb(timeline, gltfLooksOf(input_, appearance), progress());
+  GltfOptions looks = gltfLooksOf(input_, appearance);
+  looks.chordError = kCurveError * timeline.stateAfter(0).tolerance().sheetSize();
+  looks.motionError = kMotionError;
+  const Result<Exported> solid = writeAnimatedGlb(timeline, looks, progress());
   if (!solid) return solid.error();
-  return download("in motion, in space (.glb)", base + ".glb", solid->text);
+  return download("in motion, in space, for 3D viewers (.glb)", base + ".glb", solid->text);
 }
 
 Status EntryWriter::film(const Timeline& timeline, const Appearance& appearance) {
-  const std::string name = "motion.webp";
+  const std::string name = "motion.mp4";
   FilmOptions options;
   options.width = options.height = options_.filmPixels;
   options.framesPerSecond = options_.framesPerSecond;
@@ -172,8 +200,12 @@ Status EntryWriter::film(const Timeline& timeline, const Appearance& appearance)
   options.view.isShaded = true;
   const Result<Film> film = Film::of(timeline, appearance, options, progress());
   if (!film) return film.error();
-  const FilmOutput output{options_.out + "/" + entry_.folder + "/" + name, "webp",
-                          options_.filmPixels, options_.filmPixels, options_.framesPerSecond};
+  const FilmOutput output{options_.out + "/" + entry_.folder + "/" + name,
+                          "mp4",
+                          options_.filmPixels,
+                          options_.filmPixels,
+                          options_.framesPerSecond,
+                          true};
   entry_.film = {"film of all steps", name, options_.filmPixels, options_.filmPixels};
   return shootInto(*film, output, progress());
 }
@@ -191,7 +223,7 @@ Status EntryWriter::write(const Timeline& timeline, const Appearance& appearance
   }
   if (status) status = stepSheet(timeline, appearance);
   if (status) status = leaf(timeline, moments, appearance);
-  if (status) status = models(timeline, appearance);
+  if (status) status = models(timeline, moments, appearance);
   if (status && options_.hasAnimations) status = film(timeline, appearance);
   return status;
 }

@@ -40,7 +40,8 @@ struct GalleryEntryFiles {
   std::string notes;
   std::vector<std::pair<std::string, std::string>> steps;  ///< title and notes
   std::vector<GalleryPicture> pictures;                    ///< the first is the finished model
-  std::size_t thumbnail = 0;                               ///< which picture stands for the model
+  std::size_t emblem = 0;                                  ///< which picture stands for the model
+  GalleryPicture thumbnail;                                ///< the same, small
   std::string remark;   ///< a sentence about what no picture shows; may be empty
   GalleryPicture film;  ///< without a name: none was made
   GalleryPicture stepSheet;
@@ -52,7 +53,8 @@ struct GalleryEntryFiles {
 
 struct GalleryOptions {
   std::string out;
-  int pixels = 480;           ///< side of a picture
+  int pixels = 480;  ///< side of a picture
+  int thumbnailPixels = 240;
   bool hasAnimations = true;  ///< needs ffmpeg
   int filmPixels = 400;
   double framesPerSecond = 12;

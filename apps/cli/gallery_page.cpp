@@ -47,11 +47,16 @@ std::string anchor(const std::string& target, const std::string& words,
   return htmlTag("a", " href=\"" + target + "\"" + more, words);
 }
 
+/// Said before a picture is there, so that nothing jumps when it comes.
+std::string sizeOf(const GalleryPicture& picture) {
+  return " width=\"" + std::to_string(picture.width) + "\" height=\"" +
+         std::to_string(picture.height) + "\"";
+}
+
 std::string image(const std::string& folder, const GalleryPicture& picture,
-                  const std::string& alternative) {
-  return "<img src=\"" + htmlLink(folder + picture.name) + "\"" +
-         htmlAttribute("alt", alternative) + " width=\"" + std::to_string(picture.width) +
-         "\" height=\"" + std::to_string(picture.height) + "\" loading=\"lazy\" />";
+                  const std::string& alternative, const std::string& more = "") {
+  return "<img src=\"" + htmlLink(folder + picture.name) + "\"" + more +
+         htmlAttribute("alt", alternative) + sizeOf(picture) + " loading=\"lazy\" />";
 }
 
 std::string page(const std::string& title, const std::string& body) {
@@ -64,10 +69,22 @@ std::string page(const std::string& title, const std::string& body) {
 
 std::string groupId(std::size_t group) { return "group-" + std::to_string(group + 1); }
 
+/// The small picture, or the large one where the screen has more pixels.
+std::string thumbnailOf(const GalleryEntryFiles& entry) {
+  const GalleryPicture& small = entry.thumbnail;
+  const GalleryPicture& large = entry.pictures[entry.emblem];
+  const auto source = [&entry](const GalleryPicture& picture) {
+    return htmlLink(entry.folder + "/" + picture.name) + " " + std::to_string(picture.width) + "w";
+  };
+  return image(entry.folder + "/", small, "",
+               " srcset=\"" + source(small) + ", " + source(large) +
+                   "\" sizes=\"(min-width: 36rem) 14rem, 45vw\"");
+}
+
 std::string indexItem(const GalleryEntryFiles& entry) {
-  const std::string thumbnail = image(entry.folder + "/", entry.pictures[entry.thumbnail], "");
   return htmlTag("li", "",
-                 anchor(htmlLink(entry.folder) + "/index.html", thumbnail + htmlText(entry.title)) +
+                 anchor(htmlLink(entry.folder) + "/index.html",
+                        thumbnailOf(entry) + htmlText(entry.title)) +
                      paragraph(firstSentence(entry.notes))) +
          "\n";
 }
@@ -121,7 +138,7 @@ Neighbours neighboursOf(const GalleryPages& pages, const GalleryEntryFiles& entr
 }
 
 std::string pageNavigation(const GalleryPages& pages, std::size_t group,
-                           const GalleryEntryFiles& entry) {
+                           const GalleryEntryFiles& entry, const std::string& label) {
   const Neighbours neighbours = neighboursOf(pages, entry);
   const auto link = [](const GalleryEntryFiles& to, const std::string& words,
                        const std::string& how) {
@@ -136,31 +153,36 @@ std::string pageNavigation(const GalleryPages& pages, std::size_t group,
   if (neighbours.after != nullptr) {
     items += link(*neighbours.after, htmlText(neighbours.after->title) + " →", " rel=\"next\"");
   }
-  return htmlTag("nav", " aria-label=\"Models\"",
+  return htmlTag("nav", htmlAttribute("aria-label", label),
                  htmlTag("ul", " class=\"plain bar\"", "\n" + items)) +
          "\n";
 }
 
-std::string figure(const std::string& content, const std::string& caption) {
-  return htmlTag("figure", "", content + htmlTag("figcaption", "", caption)) + "\n";
+std::string figure(const std::string& content, const std::string& caption,
+                   const std::string& attributes = "") {
+  return htmlTag("figure", attributes, content + htmlTag("figcaption", "", caption)) + "\n";
 }
 
-/// Who asked the machine for less motion sees the finished model instead.
+/// Nothing of it is loaded, and nothing moves, before somebody wants to see it.
 std::string filmOf(const GalleryEntryFiles& entry) {
-  const std::string still = "<source srcset=\"" + htmlLink(entry.pictures.front().name) +
-                            "\" media=\"(prefers-reduced-motion: reduce)\" />";
-  const std::string moving = image("", entry.film, entry.title + ", " + entry.film.label);
-  return figure(htmlTag("picture", "", still + moving),
-                anchor(htmlLink(entry.film.name), capitalised(entry.film.label)));
+  const std::string words = entry.title + ", " + entry.film.label;
+  const std::string attributes =
+      " src=\"" + htmlLink(entry.film.name) + "\" poster=\"" +
+      htmlLink(entry.pictures[entry.emblem].name) +
+      "\" preload=\"none\" controls=\"\" loop=\"\" muted=\"\" playsinline=\"\"" +
+      sizeOf(entry.film) + htmlAttribute("aria-label", words);
+  const std::string film =
+      htmlTag("video", attributes, anchor(htmlLink(entry.film.name), htmlText(words)));
+  return figure(film, htmlText(capitalised(entry.film.label)), " class=\"film\"");
 }
 
 std::string picturesOf(const GalleryEntryFiles& entry) {
   std::string out;
-  if (!entry.film.name.empty()) out += filmOf(entry);
   for (const GalleryPicture& picture : entry.pictures) {
     out += figure(image("", picture, entry.title + ", " + picture.label),
                   htmlText(capitalised(picture.label)));
   }
+  if (!entry.film.name.empty()) out += filmOf(entry);
   return htmlTag("div", " class=\"pictures\"", "\n" + out) + "\n" + paragraph(entry.remark);
 }
 
@@ -217,8 +239,14 @@ std::string downloadsOf(const GalleryEntryFiles& entry) {
 
 std::string galleryIndex(const GalleryPages& pages) {
   std::string sections;
-  for (std::size_t g = 0; g < pages.groups.size(); ++g) sections += indexGroup(pages.groups[g], g);
-  return page(pages.title, htmlTag("h1", "", htmlText(pages.title)) + "\n" +
+  std::size_t models = 0;
+  for (std::size_t g = 0; g < pages.groups.size(); ++g) {
+    sections += indexGroup(pages.groups[g], g);
+    models += pages.groups[g].entries.size();
+  }
+  const std::string lead = std::to_string(models) + (models == 1 ? " model" : " models") +
+                           ", each with pictures, its steps, and files to take away.";
+  return page(pages.title, htmlTag("h1", "", htmlText(pages.title)) + "\n" + paragraph(lead) +
                                indexNavigation(pages) + htmlTag("main", "", "\n" + sections) +
                                "\n");
 }
@@ -228,8 +256,10 @@ std::string galleryPage(const GalleryPages& pages, std::size_t group, std::size_
   const std::string content = htmlTag("h1", "", htmlText(entry.title)) + "\n" +
                               paragraph(entry.notes) + picturesOf(entry) + stepsOf(entry) +
                               measuresOf(entry) + downloadsOf(entry);
+  // Above for those who leaf through, below for those who have read to the end.
   return page(entry.title + " - " + pages.title,
-              pageNavigation(pages, group, entry) + htmlTag("main", "", "\n" + content) + "\n");
+              pageNavigation(pages, group, entry, "Models") + htmlTag("main", "", "\n" + content) +
+                  "\n" + pageNavigation(pages, group, entry, "More models"));
 }
 
 }  // namespace kiri::cli

@@ -132,8 +132,8 @@ Result<std::vector<GalleryScene>> galleryScenesOf(const Timeline& timeline, std:
   return scenes.take();
 }
 
-std::size_t galleryThumbnailOf(const std::vector<GalleryScene>& scenes, const Model& model,
-                               const Moments& moments) {
+std::size_t galleryEmblemOf(const std::vector<GalleryScene>& scenes, const Model& model,
+                            const Moments& moments) {
   const bool isCut = std::any_of(model.steps.begin(), model.steps.end(), [](const Step& step) {
     return std::holds_alternative<CurveCutStep>(step.action) ||
            std::holds_alternative<StraightCutStep>(step.action);

@@ -32,8 +32,8 @@ Result<std::vector<GalleryScene>> galleryScenesOf(const Timeline& timeline, std:
 
 /// Which of the scenes stands for the model: the finished one; half unfolded where that is a whole
 /// sheet with creases, which shows nothing of it.
-std::size_t galleryThumbnailOf(const std::vector<GalleryScene>& scenes, const Model& model,
-                               const Moments& moments);
+std::size_t galleryEmblemOf(const std::vector<GalleryScene>& scenes, const Model& model,
+                            const Moments& moments);
 
 /// Why the half unfolded model is not shown as it should be; empty where it is.
 std::string halfWayRemark(HalfWay halfWay);

@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/geometry/convex.h"
+#include "core/geometry/flattened_parts.h"
 #include "core/geometry/region.h"
 #include "core/geometry/triangulation.h"
 
@@ -86,9 +87,14 @@ ConvexPart wholeOf(const Loop& loop) {
 }  // namespace
 
 std::vector<ConvexPart> convexParts(const Region& region, const Tolerance& tolerance) {
+  return convexPartsWithin(region, tolerance, tolerance.flattening());
+}
+
+std::vector<ConvexPart> convexPartsWithin(const Region& region, const Tolerance& tolerance,
+                                          double chordError) {
   KIRI_CHECK(!region.loops.empty(), "a region has a border");
   if (isConvexPolygon(region, tolerance)) return {wholeOf(region.loops[0])};
-  std::vector<Ring> rings = ringsOf(region, tolerance.flattening());
+  std::vector<Ring> rings = ringsOf(region, chordError);
   if (rings.empty()) return {};
   double area = 0;
   double perimeter = 0;

@@ -45,8 +45,8 @@ const Words kExact = {"-an", "-fflags", "+bitexact", "-flags:v", "+bitexact"};
 
 /// How the frames are encoded as they come. GIF needs all of them to choose its colours, so they
 /// are kept without loss first.
-Words encoding(FilmFormat format) {
-  switch (format) {
+Words encoding(const EncoderOptions& options) {
+  switch (options.format) {
     case FilmFormat::Gif:
       return {"-c:v", "ffv1", "-level", "3", "-pix_fmt", "bgr0"};
     case FilmFormat::Mp4:
@@ -54,8 +54,10 @@ Words encoding(FilmFormat format) {
               "scale=out_color_matrix=bt709:out_range=tv",
               "-c:v",
               "libx264",
+              "-threads",
+              options.isSmall ? "1" : "0",
               "-crf",
-              "18",
+              options.isSmall ? "26" : "18",
               "-pix_fmt",
               "yuv420p",
               "-colorspace",
@@ -169,8 +171,8 @@ struct Encoder::Workshop {
   Status startEncoding() {
     const bool isTwice = options.format == FilmFormat::Gif;
     const std::string out = isTwice ? "frames.mkv" : nameOf(options.format);
-    return start(ffmpeg(
-        joined(joined(rawInput(options), encoding(options.format)), joined(kExact, {in(out)}))));
+    return start(
+        ffmpeg(joined(joined(rawInput(options), encoding(options)), joined(kExact, {in(out)}))));
   }
 
   /// Chooses the colours, then uses them. No dithering: paper has plain colours.

@@ -37,9 +37,9 @@ struct Written {
   std::vector<std::string> losses;
 };
 
-Written written(const FoldedState& state) {
+Written written(const FoldedState& state, const FoldOptions& options = {}) {
   const Exported fold =
-      writeFold(state, {{std::make_shared<const FoldedState>(state), "last", ""}}, {});
+      writeFold(state, {{std::make_shared<const FoldedState>(state), "last", ""}}, options);
   Written out;
   out.file = json::parse(fold.text);
   out.pattern = frameOf(out.file);
@@ -178,6 +178,25 @@ TEST(FoldWriter, DividesCurvedFacetsIntoConvexFacesWithJoins) {
   EXPECT_LT(worstCorner(fold), kNear);
 }
 
+TEST(FoldWriter, IsAsCoarseAsItIsAskedToBe) {
+  const FoldedState state = test::run(
+      "square 100\nfold a valley 50,0 50,100 left\n"
+      "curve m:50,80 m:60,20 m:90,30 m:90,90 m:50,80 @model keep m:97,97");
+  FoldOptions coarse;
+  coarse.chordError = 0.1;
+  coarse.decimals = 3;
+  const Written fine = written(state);
+  const Written fold = written(state, coarse);
+  EXPECT_LT(3 * fold.pattern.vertices.size(), 2 * fine.pattern.vertices.size());
+  for (const test::Frame& frame : {fold.pattern, fold.form}) {
+    for (const Point& p : frame.vertices) {
+      for (const double c : p) EXPECT_NEAR(1000 * c, std::round(1000 * c), kNear);
+    }
+  }
+  // Each vertex is rounded by half a thousandth, and there are some between the first and the last.
+  EXPECT_LT(worstCorner(fold), 0.01);
+}
+
 /// The area of a flat face.
 double areaOfFace(const test::Frame& frame, const std::vector<int>& face) {
   double sum = 0;
@@ -260,6 +279,12 @@ TEST(FoldWriter, DescribesEveryStepOfEveryExampleWholly) {
       EXPECT_LT(worstCorner(fold), kNear) << name;
       ++count;
     }
+    FoldOptions coarse;
+    coarse.chordError = 0.02;
+    coarse.decimals = 6;
+    const Written last = written(*steps->outcomes.back().state, coarse);
+    expectWholeMesh(last.pattern, name + ", coarse");
+    expectWholeMesh(last.form, name + ", coarse and folded");
   }
   EXPECT_GT(count, 50u);
 }

@@ -255,10 +255,9 @@ double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }
 
 /// Holds the animation against the time line at many moments.
-void expectSameMotion(const Model& model, const TimelineOptions& time) {
+void expectSameMotion(const Model& model, const TimelineOptions& time, GltfOptions options = {}) {
   const Result<Timeline> timeline = Timeline::of(model, time);
   ASSERT_TRUE(timeline.isOk()) << timeline.error().message;
-  GltfOptions options;
   options.layerGap = 0;
   const Result<Exported> exported = writeAnimatedGlb(*timeline, options);
   ASSERT_TRUE(exported.isOk());
@@ -278,8 +277,8 @@ void expectSameMotion(const Model& model, const TimelineOptions& time) {
       shown.insert(shown.end(), t.begin(), t.end());
     const std::vector<Vec3> real = cornersOf(state);
     ASSERT_EQ(shown.size(), real.size()) << seconds << " s";
-    EXPECT_LT(apart(shown, real), kGltfMotionError * size) << seconds << " s";
-    EXPECT_LT(apart(real, shown), kGltfMotionError * size) << seconds << " s";
+    EXPECT_LT(apart(shown, real), options.motionError * size) << seconds << " s";
+    EXPECT_LT(apart(real, shown), options.motionError * size) << seconds << " s";
   }
 }
 
@@ -295,6 +294,19 @@ TEST(Gltf, InMotionShowsThePaperWhereItIsAtEveryMoment) {
   expectSameMotion(test::modelOf("disc 80\nfold a valley 90 40,0 40,80 left\n"
                                  "fold b mountain 10,0 10,80 left\nunfold b"),
                    even);
+}
+
+TEST(Gltf, InMotionIsAsCoarseAsItIsAskedToBe) {
+  const Model model = test::modelOf(
+      "square 100\nfold a valley 50,0 50,100 left\n"
+      "fold b valley 90 m:50,30 m:100,50 @model left\nunfold all");
+  GltfOptions coarse;
+  coarse.motionError = 0.005;
+  expectSameMotion(model, {}, coarse);
+  const Result<Timeline> timeline = Timeline::of(model);
+  ASSERT_TRUE(timeline.isOk());
+  EXPECT_LT(writeAnimatedGlb(*timeline, coarse)->text.size(),
+            writeAnimatedGlb(*timeline, {})->text.size() * 3 / 4);
 }
 
 TEST(Gltf, InMotionFollowsRandomModels) {

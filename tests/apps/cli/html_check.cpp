@@ -76,18 +76,20 @@ class PageCheck {
   void checkElement(const pugi::xml_node& node) {
     const std::string name = node.name();
     if (name == "script") say("a script");
-    for (const char* link : {"href", "src", "srcset"}) {
+    for (const char* link : {"href", "src", "poster"}) {
       if (node.attribute(link)) checkLink(node.attribute(link).value());
     }
+    checkSources(node.attribute("srcset").value());
     if (node.attribute("aria-labelledby") &&
         ids_.count(node.attribute("aria-labelledby").value()) == 0) {
       say("a label that is not there");
     }
-    if (name == "img") {
-      if (!node.attribute("alt")) say("a picture without alt");
-      if (node.attribute("width").as_int() <= 0 || node.attribute("height").as_int() <= 0) {
-        say("a picture without its size");
-      }
+    if (name == "img" && !node.attribute("alt")) say("a picture without alt");
+    if (name == "video") checkFilm(node);
+    const bool isPicture = name == "img" || name == "video";
+    if (isPicture &&
+        (node.attribute("width").as_int() <= 0 || node.attribute("height").as_int() <= 0)) {
+      say("a picture without its size");
     }
     if (name == "a") {
       const bool hasWords = !pugi::xpath_query("string(.)").evaluate_string(node).empty();
@@ -99,6 +101,26 @@ class PageCheck {
       for (const pugi::xml_node& item : node.children()) {
         if (std::string(item.name()) != "li") say("a list holds something else than items");
       }
+    }
+  }
+
+  void checkFilm(const pugi::xml_node& node) {
+    for (const char* needed : {"src", "poster", "controls", "aria-label"}) {
+      if (!node.attribute(needed)) say(std::string("a film without ") + needed);
+    }
+    if (node.attribute("autoplay")) say("a film that nobody asked for");
+    if (std::string(node.attribute("preload").value()) != "none") say("a film that loads unasked");
+  }
+
+  /// "a.png 240w, b.png 480w".
+  void checkSources(const std::string& sources) {
+    for (std::size_t at = 0; at < sources.size();) {
+      const std::size_t end = std::min(sources.find(", ", at), sources.size());
+      const std::string source = sources.substr(at, end - at);
+      const std::size_t space = source.find(' ');
+      if (space == std::string::npos || source.back() != 'w') say(source + " has no width");
+      checkLink(source.substr(0, space));
+      at = end + 2;
     }
   }
 

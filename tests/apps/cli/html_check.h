@@ -9,7 +9,8 @@
 namespace kiri::cli {
 
 /// What is wrong with the pages below a folder, a sentence each: tags that are not closed in their
-/// order, links and pictures that lead nowhere, pictures without alt or size, ids that stand there
+/// order, links and pictures that lead nowhere, pictures without alt or size,
+/// films that start or load unasked, ids that stand there
 /// twice, headings that skip a level, no language, title or view port, scripts, what lies
 /// elsewhere.
 std::vector<std::string> htmlMistakes(const std::filesystem::path& folder);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/convex.h"
+#include "core/geometry/flattened_parts.h"
 #include "core/geometry/orientation.h"
 #include "core/geometry/region.h"
 #include "tests/core/geometry/shapes.h"
@@ -166,6 +167,24 @@ TEST(ConvexParts, OfConvexCurvesAreOnePart) {
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].tags.front(), 0);
   EXPECT_EQ(parts[0].tags.back(), 1);
+}
+
+TEST(ConvexParts, MissCurvesByNoMoreThanTheyMay) {
+  const Arc arch = Arc::cubic({100, 0}, {90, 50}, {10, 50}, {0, 0});
+  const Region region{{{Arc::line({0, 0}, {100, 0}), arch}}};
+  const double area = areaOf(region);
+  std::size_t before = 0;
+  for (const double error : {1.0, 0.1, 0.01}) {
+    const std::vector<ConvexPart> parts = convexPartsWithin(region, kTolerance, error);
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_GT(parts[0].points.size(), before) << error;
+    before = parts[0].points.size();
+    // Chords lie inside the arch, nowhere farther from it than the error.
+    EXPECT_LT(areaOfParts(parts), area) << error;
+    EXPECT_GT(areaOfParts(parts), area - error * lengthOf(arch, 1e-6)) << error;
+  }
+  EXPECT_EQ(convexPartsWithin(region, kTolerance, kTolerance.flattening())[0].points,
+            convexParts(region, kTolerance)[0].points);
 }
 
 TEST(ConvexParts, OfCollinearCornersAllHoldTheirTags) {

@@ -143,6 +143,19 @@ TEST_F(EncoderTest, GivesTheSameBytesForTheSameFrames) {
   }
 }
 
+TEST_F(EncoderTest, MakesSmallFilmsOfTheSameLength) {
+  if (!isThere("ffmpeg") || !isThere("ffprobe")) GTEST_SKIP() << "ffmpeg is not installed";
+  for (const bool isSmall : {false, true}) {
+    EncoderOptions options{FilmFormat::Mp4, 64, 48, 25, isSmall};
+    Result<Encoder> encoder = Encoder::start(path(isSmall ? "small.mp4" : "usual.mp4"), options);
+    ASSERT_TRUE(encoder.isOk());
+    for (int i = 0; i < 40; ++i) ASSERT_TRUE(encoder->add(frame(i)).isOk());
+    ASSERT_TRUE(encoder->finish().isOk());
+  }
+  EXPECT_EQ(probed(path("small.mp4")), probed(path("usual.mp4")));
+  EXPECT_LT(fs::file_size(path("small.mp4")), fs::file_size(path("usual.mp4")));
+}
+
 TEST_F(EncoderTest, SaysWhatToDoWithoutFfmpeg) {
   ::setenv("PATH", path("nowhere").c_str(), 1);
   const Status status = write("a.mp4", FilmFormat::Mp4);
