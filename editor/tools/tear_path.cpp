@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/snap/fold_ends.h"
 #include "editor/tools/drawn_line.h"
 
 namespace kiri {
@@ -28,6 +29,7 @@ Vec2 besideOf(const FoldedState& state, EdgeId edge) {
 struct Aim {
   EdgeHit hit;
   std::optional<VertexId> vertex;
+  Marks caught;
 };
 
 /// Of edges that lie on each other the one is meant that the tear comes to first.
@@ -55,7 +57,7 @@ std::optional<Aim> aimOf(const PointerEvent& event, const Scope& scope,
   const PaneMap& map = scope.map(event.pane);
   const auto hit = nearestReached(state, map, event.at, ways);
   if (!hit) return std::nullopt;
-  Aim aim{*hit, std::nullopt};
+  Aim aim{*hit, std::nullopt, {}};
   const Edge& edge = state.pattern[hit->edge];
   // A handle's reach around each vertex means the vertex.
   const VertexId nearest = hit->t < 0.5 ? edge.from : edge.to;
@@ -65,13 +67,19 @@ std::optional<Aim> aimOf(const PointerEvent& event, const Scope& scope,
     return aim;
   }
   if (!scope.snaps.isOn) return aim;
-  const auto caught = snapPoint(state, map, event.at, scope.snaps, edge.left);
-  if (!caught || caught->kind == SnapKind::None || caught->kind == SnapKind::Edge) return aim;
   const Arc line = Arc::line(state.pattern[edge.from], state.pattern[edge.to]);
-  const Nearest there = nearestOn(line, caught->spot.paper);
-  if (there.distance > state.tolerance().pick()) return aim;
-  aim.hit.t = there.t;
-  aim.hit.paper = caught->spot.paper;
+  const auto takes = [&](const std::optional<Snapped>& caught) {
+    if (!caught || caught->kind == SnapKind::None || caught->kind == SnapKind::Edge) return false;
+    const Nearest there = nearestOn(line, caught->spot.paper);
+    if (there.distance > state.tolerance().pick()) return false;
+    aim.hit.t = there.t;
+    aim.hit.paper = caught->spot.paper;
+    aim.caught = caught->marks;
+    return true;
+  };
+  // Else where the folds are likely to end for which the paper is torn.
+  if (!takes(snapPoint(state, map, event.at, scope.snaps, edge.left)))
+    takes(snapToFoldEnd(state, map, event.at, scope.snaps, hit->edge));
   return aim;
 }
 
@@ -81,6 +89,7 @@ void TearPath::begin(Vec2 vertex) {
   anchors_ = points_ = {vertex};
   besides_.clear();
   farEnd_ = vertex;
+  caught_.clear();
 }
 
 bool TearPath::follow(const PointerEvent& event, const Scope& scope, bool isDragging) {
@@ -97,7 +106,9 @@ bool TearPath::follow(const PointerEvent& event, const Scope& scope, bool isDrag
     ways = graph.from(*anchor);
   }
   const auto aim = aimOf(event, scope, ways);
+  caught_.clear();
   if (!aim) return true;
+  caught_ = aim->caught;
   VertexId target;
   if (aim->vertex) {
     target = *aim->vertex;

@@ -27,6 +27,8 @@ class TearPath {
   const std::vector<Vec2>& points() const { return points_; }
   /// Well inside a facet beside each piece between two points.
   const std::vector<Vec2>& besides() const { return besides_; }
+  /// What the end of the path was caught by when it was last led.
+  const Marks& caught() const { return caught_; }
 
   double length() const;
   /// To the end of the edge that the path ends on.
@@ -42,6 +44,7 @@ class TearPath {
   std::vector<Vec2> points_;
   std::vector<Vec2> besides_;
   Vec2 farEnd_;  ///< of the edge in which the path ends
+  Marks caught_;
 };
 
 }  // namespace kiri

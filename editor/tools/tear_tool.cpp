@@ -184,7 +184,10 @@ Marks TearTool::marks(const Scope& scope) const {
       marks.push_back(PointMark{MarkRole::Hovered, *spot});
   }
   if (!isBusy()) return marks;
-  if (phase_ != Phase::Resting) markHinges(state, points.back(), marks);
+  if (phase_ != Phase::Resting) {
+    markHinges(state, points.back(), marks);
+    marks.insert(marks.end(), path_.caught().begin(), path_.caught().end());
+  }
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const auto a = spotAt(points[i], i);
     const auto b = spotAt(points[i + 1], i);

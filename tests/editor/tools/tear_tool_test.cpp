@@ -103,6 +103,26 @@ TEST(TearTool, TheEndOfATearCanBeTakenUpAgain) {
   EXPECT_NEAR(hand.field("length").value, 20, 1e-6);
 }
 
+/// Where a tear ends that the hand draws so far, roughly.
+Vec2 tornTo(const FoldedState& state, Vec2 from, Vec2 to, bool isFree = false) {
+  ToolDriver hand(ToolId::Tear, state);
+  hand.snaps.isOn = !isFree;
+  hand.drag(from, to);
+  return tearOf(hand.step()).path.points.back();
+}
+
+TEST(TearTool, IsAimedAtWhereTheFoldsAfterItWillEnd) {
+  // Figure 7.16: the pocket of the cup. Its fold is the mirror image of the one before.
+  const FoldedState cup = exampleOf("origami_cup").after(2);
+  const double pocket = 100 * (3 - 2 * std::sqrt(2.0));
+  EXPECT_NEAR(distance(tornTo(cup, {100, 0}, {17.8, 0.4}), {pocket, 0}), 0, 1e-9);
+  EXPECT_NEAR(tornTo(cup, {100, 0}, {17.8, 0.4}, true).x, 17.8, 1e-6) << "Ctrl leaves it free";
+  // Figure 7.11d: two folds that halve angles will meet on the added edge.
+  const FoldedState bird = exampleOf("origami_bird").after(4);
+  const double meeting = 100 * (std::sqrt(2.0) - 1);
+  EXPECT_NEAR(distance(tornTo(bird, {0, 90}, {0.3, 41}), {0, meeting}), 0, 1e-9);
+}
+
 TEST(TearTool, TurnsCornersAndGoesBackWithTheHand) {
   ToolDriver hand(ToolId::Tear, kCross);
   hand.hover({50, 0});
@@ -112,9 +132,9 @@ TEST(TearTool, TurnsCornersAndGoesBackWithTheHand) {
   EXPECT_EQ(tearOf(hand.step()).path.points.size(), 3U);
   hand.moveTo({60, 50});
   hand.moveTo({50, 48});
-  hand.moveTo({50, 30});
+  hand.moveTo({50, 36});
   EXPECT_EQ(tearOf(hand.step()).path.points.size(), 2U);
-  EXPECT_NEAR(tearOf(hand.step()).path.points[1].y, 30, 1e-6);
+  EXPECT_NEAR(tearOf(hand.step()).path.points[1].y, 36, 1e-6);
   for (const Vec2 p : {Vec2{50, 50}, Vec2{30, 50}, Vec2{1, 50}}) hand.moveTo(p);
   hand.release({0, 50});
   const std::vector<Vec2> points = tearOf(hand.step()).path.points;
