@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/tools/add_edge_tool.h"
 
+#include "core/paper/inscribe.h"
+
 namespace kiri {
 namespace {
 
@@ -72,8 +74,30 @@ std::optional<Proposal> AddEdgeTool::proposal(const Scope& scope) const {
   return Proposal{std::move(step), isResting()};
 }
 
+std::vector<FacetLine> AddEdgeTool::beyondDrawn(const Scope& scope) const {
+  std::vector<FacetLine> beyond;
+  const FoldedState& state = *scope.state;
+  const auto line = hand_.on(state);
+  const auto here = trace(scope);
+  if (!line || !here || !isResting()) return beyond;
+  for (const FacetId facet : layers_.taken(scope, *here)) {
+    const FacetLine drawn = lineOn(state, *line, facet);
+    const double near = state.tolerance().pick() / distance(drawn.from, drawn.to);
+    const auto at = [&](double t) { return lerp(drawn.from, drawn.to, t); };
+    for (const Chord& chord : chordsOf(state.pattern, facet, drawn.from, drawn.to)) {
+      if (chord.t0 < -near) beyond.push_back({facet, at(chord.t0), at(0)});
+      if (chord.t1 > 1 + near) beyond.push_back({facet, at(1), at(chord.t1)});
+    }
+  }
+  return beyond;
+}
+
 Marks AddEdgeTool::marks(const Scope& scope) const {
   Marks marks;
+  for (const FacetLine& part : beyondDrawn(scope)) {
+    const std::vector<MarkPlace> places{Spot{part.facet, part.from}, Spot{part.facet, part.to}};
+    marks.push_back(PathMark{MarkRole::Possible, places, false, false});
+  }
   hand_.addMarks(scope, MarkRole::Line, marks);
   return marks;
 }
@@ -114,15 +138,17 @@ Reaction AddEdgeTool::setField(const std::string& id, const FieldValue& value, c
   return isKnown ? Reaction::handled() : Reaction::ignored();
 }
 
-Phrase AddEdgeTool::hint(const Scope&) const {
+Phrase AddEdgeTool::hint(const Scope& scope) const {
   if (!isBusy()) {
     return {KIRI_TEXT("editor/tools", "Draw an edge across the paper: drag, or click both ends"),
             {}};
   }
   if (!isResting())
     return {KIRI_TEXT("editor/tools", "Release or click where the edge ends; Esc drops it"), {}};
+  if (beyondDrawn(scope).empty()) return {KIRI_TEXT("editor/tools", "Enter adds the edge"), {}};
   return {KIRI_TEXT("editor/tools",
-                    "Enter adds the edge; it goes on to the borders of every facet it crosses"),
+                    "Enter adds the edge with the marked part beyond its ends, for it goes from "
+                    "edge to edge; a tear along it can be shorter"),
           {}};
 }
 

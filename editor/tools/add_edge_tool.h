@@ -27,6 +27,8 @@ class AddEdgeTool final : public Tool {
   bool isResting() const { return hand_.isThere() && !hand_.isMoving(); }
   std::optional<PlaneTrace> trace(const Scope& scope) const;
   void project(const Scope& scope);
+  /// What the edge will be longer than it was drawn: in each layer it runs from edge to edge.
+  std::vector<FacetLine> beyondDrawn(const Scope& scope) const;
 
   LineHand hand_;
   CutLayers layers_{false};

@@ -549,10 +549,6 @@
         <translation>Loslassen oder klicken, wo die Kante endet; Esc verwirft sie</translation>
     </message>
     <message>
-        <source>Enter adds the edge; it goes on to the borders of every facet it crosses</source>
-        <translation>Eingabe fügt die Kante hinzu; sie reicht bis an die Ränder jeder Fläche, die sie kreuzt</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -1107,6 +1103,14 @@
     <message>
         <source>Click the folded model where another layer is to be on top</source>
         <translation>Auf das gefaltete Modell klicken, wo eine andere Lage oben liegen soll</translation>
+    </message>
+    <message>
+        <source>Enter adds the edge</source>
+        <translation>Eingabe fügt die Kante hinzu</translation>
+    </message>
+    <message>
+        <source>Enter adds the edge with the marked part beyond its ends, for it goes from edge to edge; a tear along it can be shorter</source>
+        <translation>Eingabe fügt die Kante mit dem markierten Teil jenseits ihrer Enden hinzu, denn sie reicht von Kante zu Kante; ein Riss an ihr entlang kann kürzer sein</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +2411,10 @@
     <message>
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
+    </message>
+    <message>
+        <source>Take a new sheet, a file or an example, or fold your first leaf; Esc: back to the model</source>
+        <translation>Ein neues Blatt, eine Datei oder ein Beispiel wählen oder das erste Blatt falten; Esc: zurück zum Modell</translation>
     </message>
 </context>
 <context>

@@ -142,6 +142,21 @@ TEST(AddEdgeTool, PutsItsEndsOntoTheNearestEdges) {
   EXPECT_EQ(facetCount(*hand.result()), 2U);
 }
 
+TEST(AddEdgeTool, ShowsHowFarTheEdgeGoesBeyondWhatIsDrawn) {
+  ToolDriver hand = handOn(ToolId::AddEdge, run("square 100"));
+  hand.drag({20, 50}, {60, 50});
+  EXPECT_EQ(hand.count(MarkRole::Possible), 2U) << "from both ends to the borders";
+  const Phrase beyond = hand.tool().hint(hand.scope());
+  hand.key(Key::Escape);
+  hand.drag({-5, 50}, {105, 50});
+  EXPECT_EQ(hand.count(MarkRole::Possible), 0U);
+  EXPECT_NE(hand.tool().hint(hand.scope()), beyond);
+
+  ToolDriver layered = handOn(ToolId::AddEdge, run("square 100; fold A valley 50,0 50,100 left"));
+  layered.drag({70, 50}, {110, 50});
+  EXPECT_EQ(layered.count(MarkRole::Possible), 2U) << "in both layers, from one end to the fold";
+}
+
 TEST(AddEdgeTool, SnapsToCorners) {
   ToolDriver hand(ToolId::AddEdge, "square 100");
   hand.drag({1, 1}, {99, 98.5});
