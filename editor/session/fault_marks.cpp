@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/session/fault_marks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "editor/session/moved_facets.h"
 
@@ -32,13 +34,21 @@ Marks marksOf(const Witness& witness, const FoldedState& state) {
   return marks;
 }
 
-Marks marksOf(const std::vector<Collision>& collisions) {
+Marks marksOf(const std::vector<Collision>& collisions, const FoldedState& state) {
   Marks marks;
+  std::vector<std::pair<Vec3, std::string>> said;
   for (const Collision& collision : collisions) {
+    const std::string degrees = degreesText(collision.degrees);
+    // Layers that lie on each other meet at one place: it is marked once.
+    const bool isSaid = std::any_of(said.begin(), said.end(), [&](const auto& other) {
+      return other.second == degrees &&
+             distance(other.first, collision.place) <= state.tolerance().pick();
+    });
+    if (isSaid) continue;
+    said.emplace_back(collision.place, degrees);
     marks.push_back(PointMark{MarkRole::Collision, collision.place});
-    marks.push_back(TextMark{
-        MarkRole::Collision, collision.place,
-        Phrase{KIRI_TEXT("editor/session", "meets at %1"), {degreesText(collision.degrees)}}});
+    marks.push_back(TextMark{MarkRole::Collision, collision.place,
+                             Phrase{KIRI_TEXT("editor/session", "meets at %1"), {degrees}}});
   }
   return marks;
 }

@@ -13,8 +13,8 @@ namespace kiri {
 /// Where an error is seen. What of the witness lies on no paper of `state` is left out.
 Marks marksOf(const Witness& witness, const FoldedState& state);
 
-/// Where paper meets paper, with the angle at which it does.
-Marks marksOf(const std::vector<Collision>& collisions);
+/// Where paper meets paper, with the angle at which it does; once where several layers meet.
+Marks marksOf(const std::vector<Collision>& collisions, const FoldedState& state);
 
 /// The facets of `state` that collide.
 std::vector<FacetId> facetsOf(const std::vector<Collision>& collisions, const FoldedState& state);

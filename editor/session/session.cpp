@@ -158,12 +158,12 @@ Marks Session::marks() const {
   };
   if (const Preview* preview = parts_->previewer.current()) {
     if (preview->error) add(marksOf(preview->error->witness, state));
-    add(marksOf(preview->collisions));
+    add(marksOf(preview->collisions, state));
   }
   if (parts_->slides.isSliding() && parts_->slides.show()) {
     const SlideShow& show = *parts_->slides.show();
     if (show.stop) add(marksOf(show.stop->witness, state));
-    add(marksOf(show.collisions));
+    add(marksOf(show.collisions, state));
   }
   add(marksOf(parts_->witness, state));
   add(parts_->pattern.marks(parts_->navigation.sheet.map()));
