@@ -149,6 +149,7 @@ void DialogDesk::showStartPage(bool isShown) {
   stack_->setCurrentIndex(isShown ? 1 : 0);
   if (!isShown) window_.restoreState(std::exchange(layout_, {}));
   if (isShown) start_->setFocus();
+  emit startPageShown(isShown);
 }
 
 /// Tools and panels have nothing to work on while the start page is there.

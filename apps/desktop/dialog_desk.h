@@ -44,6 +44,9 @@ class DialogDesk final : public QObject {
   void fillExamples(QMenu& menu);
   TourCard& tour() { return *tour_; }
 
+ signals:
+  void startPageShown(bool isShown);
+
  private:
   void on(const QString& id, std::function<void()> what);
   void connectActions();

@@ -115,6 +115,12 @@ void MainWindow::connectParts() {
   connect(&actions_["previous-state"], &QAction::triggered, docks_.pattern,
           [this] { docks_.pattern->walk(-1); });
   connectCaption();
+  connect(dialogs_, &DialogDesk::startPageShown, this, [this](bool isShown) {
+    const QString hint =
+        tr("Take a new sheet, a file or an example, or fold your first leaf; Esc: back to the "
+           "model");
+    status_->setElsewhere(isShown ? hint : QString());
+  });
   connect(docks_.steps, &StepsList::removeWanted, edit_, &EditDesk::removeStep);
   connect(docks_.step, &StepPanel::removeWanted, edit_, &EditDesk::removeStep);
   connect(&actions_["full-screen"], &QAction::toggled, this,

@@ -42,8 +42,9 @@ SheetSpec stretched(SheetSpec sheet, double width, double height) {
 
 QString iconOf(const SheetPreset& preset) {
   if (preset.id == "leaf") return "leaf";
-  if (preset.id == "disc") return "orbit";
-  return preset.id == "square" ? "sheet" : "new";
+  if (preset.id == "disc") return "disc";
+  if (preset.id == "square") return "sheet";
+  return "page";
 }
 
 SheetDialog::SheetDialog(const SheetSpec& start, QWidget* parent) : QDialog(parent) {

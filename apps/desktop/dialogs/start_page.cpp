@@ -112,10 +112,11 @@ QWidget* StartPage::makeHead() {
   QFont font = name->font();
   font.setPointSizeF(font.pointSizeF() * 1.5);
   name->setFont(font);
-  words->addStretch();
+  words->setSpacing(4);
+  words->addStretch(1);
   words->addWidget(name);
   words->addWidget(remark(tr("Fold, tear and cut a sheet of paper.")));
-  words->addStretch();
+  words->addStretch(1);
   QPushButton* tour = bigButton("tour", tr("Fold your first leaf"), true);
   tour->setToolTip(tr("Five steps, each waits for your hand"));
   QPushButton* open = bigButton("open", tr("Open…"), false);

@@ -41,6 +41,7 @@ CaptionBar::CaptionBar(SessionHub& hub, QWidget* parent)
       place_(new QLabel(this)),
       notes_(new QLabel(this)),
       room_(new QScrollArea(this)),
+      words_(new QVBoxLayout),
       start_(new QPushButton(tr("Step by step"), this)) {
   setObjectName("caption");
   setAccessibleName(tr("About this step"));
@@ -67,17 +68,16 @@ CaptionBar::CaptionBar(SessionHub& hub, QWidget* parent)
   head->setSpacing(12);
   head->addWidget(title_, 1);
   head->addWidget(place_);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(3);
-  words->addLayout(head);
-  words->addWidget(room_, 1);
+  words_->setSpacing(3);
+  words_->addLayout(head);
+  words_->addWidget(room_, 1);
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(10, 7, 12, 8);
   line->setSpacing(4);
   line->addWidget(back_, 0, Qt::AlignTop);
   line->addWidget(forward_, 0, Qt::AlignTop);
   line->addSpacing(8);
-  line->addLayout(words, 1);
+  line->addLayout(words_, 1);
   line->addSpacing(8);
   line->addWidget(start_, 0, Qt::AlignVCenter);
   connect(back_, &QToolButton::clicked, this, [this] { emit stepWanted(-1); });
@@ -147,7 +147,12 @@ void CaptionBar::fit() {
   const int line = notes_->fontMetrics().lineSpacing();
   int height = heightFor(toQt(model.notes));
   for (const Step& step : model.steps) height = std::max(height, heightFor(toQt(step.notes)));
-  room_->setFixedHeight(std::min(height, kMostLines * line) + (height > 0 ? 2 : 0));
+  const int most = kMostLines * line;
+  const int spare = height > 0 ? 2 : 0;
+  // Whole lines where there are more, so that nothing of the next one shows.
+  const int left = height > most ? spare : 0;
+  room_->setFixedHeight(std::min(height, most) + spare - left);
+  words_->setContentsMargins(0, 0, 0, left);
 }
 
 void CaptionBar::resizeEvent(QResizeEvent* event) {

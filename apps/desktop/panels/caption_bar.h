@@ -11,6 +11,7 @@ class QLabel;
 class QPushButton;
 class QScrollArea;
 class QToolButton;
+class QVBoxLayout;
 
 namespace kiri::desktop {
 
@@ -50,6 +51,7 @@ class CaptionBar final : public QFrame {
   QLabel* place_;
   QLabel* notes_;
   QScrollArea* room_;
+  QVBoxLayout* words_;
   QPushButton* start_;
   bool isWanted_ = true;
   bool introduces_ = false;

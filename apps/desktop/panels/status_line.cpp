@@ -99,7 +99,13 @@ void StatusLine::refresh() {
     return;
   }
   if (isNew) isNoticeShown_ = false;
-  if (!isNoticeShown_) say(Notice::Kind::None, said(hub_.session().hint()));
+  if (isNoticeShown_) return;
+  say(Notice::Kind::None, elsewhere_.isEmpty() ? said(hub_.session().hint()) : elsewhere_);
+}
+
+void StatusLine::setElsewhere(const QString& hint) {
+  elsewhere_ = hint;
+  refresh();
 }
 
 void StatusLine::showFacts() {
@@ -115,6 +121,7 @@ void StatusLine::showFacts() {
   text += "  ·  " + (facts.collisions == 0
                          ? tr("free")
                          : counted(facts.collisions, tr("1 collision"), tr("%1 collisions")));
+  if (!elsewhere_.isEmpty()) text.clear();
   if (facts_->text() != text) facts_->setText(text);
 }
 

@@ -23,6 +23,9 @@ class StatusLine final : public QStatusBar {
   QString facts() const;
   /// A sentence of the window itself, shown like those of the session.
   void say(Notice::Kind kind, const QString& text);
+  /// What to do where no model is seen, such as the start page: said instead of the session's hint
+  /// and facts. Empty: the model is seen again.
+  void setElsewhere(const QString& hint);
 
  private:
   void refresh();
@@ -40,6 +43,7 @@ class StatusLine final : public QStatusBar {
   QTimer fade_;
   Phrase lastNotice_;
   std::string lastWhy_;
+  QString elsewhere_;
   bool isNoticeShown_ = false;
 };
 

@@ -83,6 +83,12 @@ void StepsList::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+/// The card of the step that is shown stays in sight when the room for cards changes.
+void StepsList::resizeEvent(QResizeEvent* event) {
+  QListView::resizeEvent(event);
+  scrollTo(currentIndex());
+}
+
 void StepsList::contextMenuEvent(QContextMenuEvent* event) {
   const QModelIndex index = indexAt(event->pos());
   if (!index.isValid()) return;

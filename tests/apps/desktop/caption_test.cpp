@@ -1,6 +1,7 @@
 // The words below the panes: of the model when it is opened, of the step when it is walked.
 // SPDX-License-Identifier: MIT
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 
 #include "apps/desktop/panels/notes_box.h"
@@ -62,6 +63,20 @@ TEST_F(CaptionInTheWindow, TheFilmIsToldAlong) {
   QTest::mouseClick(button("Previous step"), Qt::LeftButton);
   settle();
   EXPECT_EQ(session().player().step(), shown().steps.size() - 1) << "it walks the film";
+}
+
+TEST_F(CaptionInTheWindow, ASmallWindowShowsWholeLinesAndTheCardOfTheStep) {
+  open("origami_bird.kiri");
+  window->resize(1024, 700);
+  settle();
+  auto* room = window->caption().findChild<QScrollArea*>();
+  ASSERT_NE(room, nullptr);
+  ASSERT_GT(room->widget()->height(), room->viewport()->height()) << "the notes are too long";
+  EXPECT_EQ(room->viewport()->height() % room->widget()->fontMetrics().lineSpacing(), 0);
+  const StepsList& steps = *window->docks().steps;
+  const QRect card = steps.visualRect(steps.currentIndex());
+  EXPECT_TRUE(steps.viewport()->rect().contains(card.center()));
+  picture("caption-small");
 }
 
 TEST_F(CaptionInTheWindow, IsNotThereWithoutWordsOrWhenItIsNotWanted) {

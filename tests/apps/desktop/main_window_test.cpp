@@ -32,6 +32,22 @@ TEST_F(Window, OpensTheLeafAndSaysWhatLiesThere) {
   picture("leaf-light");
 }
 
+TEST_F(Window, TheFootSpeaksOfTheStartPageWhileItIsThere) {
+  open("ship.kiri");
+  const QString ofTheTool = window->statusLine().hint();
+  const QString facts = window->statusLine().facts();
+  window->dialogs().showStartPage(true);
+  EXPECT_TRUE(window->statusLine().hint().contains("example"))
+      << window->statusLine().hint().toStdString();
+  session().setTool(ToolId::Tear);  // as a key may do
+  EXPECT_TRUE(window->statusLine().hint().contains("example"));
+  EXPECT_EQ(window->statusLine().facts(), "") << "the model is not seen";
+  session().setTool(ToolId::Fold);
+  window->dialogs().showStartPage(false);
+  EXPECT_EQ(window->statusLine().hint(), ofTheTool);
+  EXPECT_EQ(window->statusLine().facts(), facts);
+}
+
 TEST_F(Window, SaysWhichImageOfThePaperCannotBeRead) {
   Model model = sheetPresets().front().model;
   model.front.texture = "/nowhere/bark.png";
