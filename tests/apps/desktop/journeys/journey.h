@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tests/apps/desktop/window_hand.h"
 #include "tests/editor/session/journeys.h"
@@ -43,6 +44,16 @@ class Journey : public WindowHand, public test::Person {
     const Qt::KeyboardModifiers held = isFree ? Qt::ControlModifier : held_;
     for (int i = 1; i <= 6; ++i) move(widget, start + (end - start) * i / 6, held);
     QTest::mouseRelease(widget, Qt::LeftButton, held, end);
+    settle();
+  }
+  /// One stroke of the mouse through places, as they are: snaps are suspended.
+  void stroke(Pane pane, const std::vector<Vec2>& places) {
+    QWidget* widget = paneOf(pane);
+    const QPoint start = pixel(pane, places.front());
+    QTest::mouseMove(widget, start);
+    QTest::mousePress(widget, Qt::LeftButton, Qt::ControlModifier, start);
+    for (const Vec2 place : places) move(widget, pixel(pane, place), Qt::ControlModifier);
+    QTest::mouseRelease(widget, Qt::LeftButton, Qt::ControlModifier, pixel(pane, places.back()));
     settle();
   }
   void click(Pane pane, Vec2 at) override {
