@@ -151,6 +151,7 @@ std::optional<FoldOffer::Plan> FoldOffer::planFor(const Scope& scope, const Fold
   layers_.look(scope, place.line, isGrabbedSide ? place.grabbed : std::nullopt, place.pane,
                {paper, plan.leftMoves, place.isEndless});
   plan.taken = layers_.taken();
+  std::sort(plan.taken.begin(), plan.taken.end());
   // Paper that is dragged so far that its crease would lie beside it.
   if (plan.taken.empty() && place.isEndless && layers_.mode() == LayerMode::Hand)
     return std::nullopt;

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/model/apply.h"
 #include "editor/tools/layer_picker.h"
+#include "tests/editor/tools/examples.h"
 #include "tests/editor/tools/images.h"
 #include "tests/editor/tools/tool_driver.h"
 #include "tests/support/model_text.h"
@@ -59,6 +61,15 @@ TEST(FoldLayers, ShiftTakesAllLayersAndAltTheTopOne) {
   hand.drag({99.5, 0.5}, {75, 25});
   EXPECT_EQ(hand.field("layers").value, static_cast<double>(LayerMode::Top));
   EXPECT_EQ(hand.result()->pattern.facets.size(), 3U);
+}
+
+TEST(FoldLayers, AllLayersThatFoldFreelyMissNone) {  // Figure 7.18e
+  ToolDriver hand(ToolId::Fold, exampleOf("kirigami_star").after(4));
+  hand.drag({30, 30}, {60, 60 - 30 * std::sqrt(2.0)});
+  hand.set("layers", static_cast<double>(LayerMode::All));
+  ASSERT_TRUE(hand.result());
+  EXPECT_FALSE(hand.hasField("remedy"));
+  EXPECT_EQ(hand.result()->pattern.facets.size(), 16U);
 }
 
 TEST(FoldLayers, TheWheelWalksThroughTheLayers) {
