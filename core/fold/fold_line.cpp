@@ -43,7 +43,8 @@ Error locked(const FoldedState& state, FoldLineId line, const std::string& why,
   const std::string names = holders(state, line);
   Error error{
       ErrorCode::Locked, "the fold line " + quoted(state, line) + " cannot move: " + why, {}};
-  error.message += names.empty() ? "; tear the paper there first" : "; unfold " + names + " first";
+  error.message += names.empty() ? "; tear the paper there first"
+                                 : "; unfold " + names + " first, or everything together";
   for (const EdgeId id : where) {
     const Edge& edge = state.pattern[id];
     error.witness.segments.push_back({state.pattern[edge.from], state.pattern[edge.to]});
@@ -51,21 +52,26 @@ Error locked(const FoldedState& state, FoldLineId line, const std::string& why,
   return error;
 }
 
-/// The longest hinge gives the axis, for it is the most exact.
-Motion axisOf(const FoldedState& state, const std::vector<EdgeId>& hinges) {
-  const Edge* longest = nullptr;
+EdgeId longestOf(const FoldedState& state, const std::vector<EdgeId>& hinges) {
+  EdgeId longest;
   double most = -1;
   for (const EdgeId id : hinges) {
     const Edge& edge = state.pattern[id];
     const double span = distance(state.pattern[edge.from], state.pattern[edge.to]);
     if (span > most) {
       most = span;
-      longest = &edge;
+      longest = id;
     }
   }
-  const Rigid& pose = state.poseOf(longest->left);
-  const Vec2 a = state.pattern[longest->from];
-  return {pose.apply(a), normalized(pose.direction(state.pattern[longest->to] - a)), 0};
+  return longest;
+}
+
+/// The longest hinge gives the axis, for it is the most exact.
+Motion axisOf(const FoldedState& state, const std::vector<EdgeId>& hinges) {
+  const Edge& longest = state.pattern[longestOf(state, hinges)];
+  const Rigid& pose = state.poseOf(longest.left);
+  const Vec2 a = state.pattern[longest.from];
+  return {pose.apply(a), normalized(pose.direction(state.pattern[longest.to] - a)), 0};
 }
 
 /// Degrees about the axis that bring every hinge to the amount; none when they ask for different
@@ -99,7 +105,12 @@ Result<Turning> turnTo(const FoldedState& state, FoldLineId line, double amount)
     }
   }
   const std::optional<double> degrees = turnFor(state, hinges, motion, amount);
-  if (!degrees) return locked(state, line, "its creases are folded by different angles", hinges);
+  if (!degrees) {
+    return locked(state, line,
+                  amountOf(state, line) ? "a part of it lies on paper that other folds turned over"
+                                        : "its creases are folded by different angles",
+                  hinges);
+  }
   motion.degrees = *degrees;
   std::vector<FacetId> seeds;
   std::vector<FacetId> resting;
@@ -115,6 +126,30 @@ Result<Turning> turnTo(const FoldedState& state, FoldLineId line, double amount)
                   moving.broken);
   }
   return Turning{moving.moves, motion};
+}
+
+/// The state in which flat creases of the line that lie on paper turned over since then fold the
+/// other way round, and so with the longest of them. None when there are no such creases.
+std::optional<FoldedState> withCreasesTurnedOver(const FoldedState& state, FoldLineId line) {
+  const std::vector<EdgeId> hinges = hingesOf(state, line);
+  const bool isFlatLine = std::all_of(hinges.begin(), hinges.end(),
+                                      [&](EdgeId id) { return state.pattern[id].angle == 0; });
+  if (!isFlatLine || hinges.empty()) return std::nullopt;
+  const Motion axis = axisOf(state, hinges);
+  const auto wayOf = [&](EdgeId id) {
+    const Edge& edge = state.pattern[id];
+    return edge.sign * turnSign(state, edge, axis, edge.leftMoves);
+  };
+  const int way = wayOf(longestOf(state, hinges));
+  FoldedState turned = state;
+  bool isTurned = false;
+  for (const EdgeId id : hinges) {
+    if (wayOf(id) == way) continue;
+    turned.pattern[id].sign = static_cast<std::int8_t>(-turned.pattern[id].sign);
+    isTurned = true;
+  }
+  if (!isTurned) return std::nullopt;
+  return turned;
 }
 
 /// True when creases of other lines lie on the axis by chance and would turn too: the sides of a
@@ -159,8 +194,14 @@ Result<FoldedState> setAmountAlone(const FoldedState& state, FoldLineId line, do
   return next;
 }
 
-Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount,
-                              Movements* record) {
+Result<FoldedState> setAmountTurnedOver(const FoldedState& state, FoldLineId line, double amount,
+                                        Movements* record) {
+  const std::optional<FoldedState> turned = withCreasesTurnedOver(state, line);
+  return setAmountAlone(turned ? *turned : state, line, amount, record);
+}
+
+Result<FoldedState> setAmountFollowed(const FoldedState& state, FoldLineId line, double amount,
+                                      Movements* record) {
   const Result<Turning> turn = turnTo(state, line, amount);
   if (!turn && turn.error().code != ErrorCode::Locked) return turn.error();
   if (!turn || doesTurnOthers(state, line, *turn)) {
@@ -173,6 +214,14 @@ Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double 
     if (!turn) return followed ? stopped(state, line, *followed, turn.error()) : turn.error();
   }
   return setAmountAlone(state, line, amount, record);
+}
+
+Result<FoldedState> setAmount(const FoldedState& state, FoldLineId line, double amount,
+                              Movements* record) {
+  Result<FoldedState> next = setAmountFollowed(state, line, amount, record);
+  if (next || next.error().code != ErrorCode::Locked) return next;
+  Result<FoldedState> over = setAmountTurnedOver(state, line, amount, record);
+  return over ? std::move(over) : std::move(next);
 }
 
 Slide slideAmount(const FoldedState& state, FoldLineId line, double amount) {

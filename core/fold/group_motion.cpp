@@ -22,16 +22,18 @@ struct Next {
 
 Error cancelled() { return {ErrorCode::Cancelled, "the folds were stopped on their way", {}}; }
 
-/// The first line that can move about its own axis without a collision; else the first that can
-/// move at all.
+/// How one line moves about its own axis.
+using MovesAlone = Result<FoldedState> (*)(const FoldedState&, FoldLineId, double, Movements*);
+
+/// The first line that can move so without a collision; else the first that can move at all.
 Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wanted,
-                        bool isRecorded) {
+                        bool isRecorded, MovesAlone moved) {
   std::optional<Next> best;
   std::optional<Error> error;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Movements made;
     Result<FoldedState> next =
-        setAmountAlone(state, wanted[i].first, wanted[i].second, isRecorded ? &made : nullptr);
+        moved(state, wanted[i].first, wanted[i].second, isRecorded ? &made : nullptr);
     if (!next) {
       if (!error) error = next.error();
       continue;
@@ -46,30 +48,18 @@ Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wan
 
 /// Tries the lines in turn and again until all have moved.
 Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted> wanted,
-                                   Movements* record, const Progress& progress) {
+                                   Movements* record, const Progress& progress,
+                                   MovesAlone moved = setAmountAlone) {
   FoldedState state = start;
   const auto all = static_cast<double>(wanted.size());
   while (!wanted.empty()) {
     if (!goesOn(progress, 1 - static_cast<double>(wanted.size()) / all)) return cancelled();
-    Result<Next> next = nextToMove(state, wanted, record != nullptr);
+    Result<Next> next = nextToMove(state, wanted, record != nullptr, moved);
     if (!next) return next.error();
     state = std::move(next->state);
     if (record != nullptr)
       record->insert(record->end(), next->movements.begin(), next->movements.end());
     wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(next->place));
-  }
-  return state;
-}
-
-Result<FoldedState> moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
-                                Movements* record, const Progress& progress) {
-  FoldedState state = start;
-  double done = 0;
-  for (const auto& [line, amount] : wanted) {
-    if (!goesOn(progress, done++ / static_cast<double>(wanted.size()))) return cancelled();
-    Result<FoldedState> next = setAmount(state, line, amount, record);
-    if (!next) return next.error();
-    state = std::move(*next);
   }
   return state;
 }
@@ -157,36 +147,117 @@ FoldedState endOf(const FoldedState& start, const std::shared_ptr<const RigidPat
   return end;
 }
 
+/// How far lines came that moved one after the other.
+struct InOrder {
+  FoldedState state;
+  std::vector<Wanted> left;  ///< those that did not move
+  std::optional<Error> why;  ///< none where all moved, or a crease would have turned through itself
+};
+
+/// True when a crease has turned through itself since there were so many collisions: one that holds
+/// the line which turned, as those of a tuck do that was mended.
+bool isHeld(const FoldedState& state, std::size_t before) {
+  return std::any_of(
+      state.collisions.begin() + static_cast<std::ptrdiff_t>(before), state.collisions.end(),
+      [](const Collision& collision) { return collision.moment == CollisionMoment::Hinge; });
+}
+
+/// One of several lines. What other folds turned over moves only where that is free: the lines that
+/// would turn it back may come later.
+Result<FoldedState> movedNext(const FoldedState& state, const Wanted& wanted, bool isOnly,
+                              Movements& made) {
+  if (isOnly) return setAmount(state, wanted.first, wanted.second, &made);
+  Result<FoldedState> next = setAmountFollowed(state, wanted.first, wanted.second, &made);
+  if (next || next.error().code != ErrorCode::Locked) return next;
+  Result<FoldedState> over = setAmountTurnedOver(state, wanted.first, wanted.second, &made);
+  const bool isFree = over && over->collisions.size() == state.collisions.size();
+  return isFree ? std::move(over) : std::move(next);
+}
+
+InOrder moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
+                    bool stopsWhereHeld, Movements* record, const Progress& progress) {
+  InOrder way{start, {}, {}};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    way.left.assign(wanted.begin() + static_cast<std::ptrdiff_t>(i), wanted.end());
+    if (!goesOn(progress, static_cast<double>(i) / static_cast<double>(wanted.size()))) {
+      way.why = cancelled();
+      return way;
+    }
+    Movements made;
+    Result<FoldedState> next = movedNext(way.state, wanted[i], wanted.size() == 1, made);
+    if (!next) {
+      way.why = next.error();
+      return way;
+    }
+    if (stopsWhereHeld && isHeld(*next, way.state.collisions.size())) return way;
+    way.state = std::move(*next);
+    if (record != nullptr) record->insert(record->end(), made.begin(), made.end());
+  }
+  way.left.clear();
+  return way;
+}
+
+/// An end of lines that moved, and the way there.
+struct Moved {
+  Result<FoldedState> end;
+  Movements way;
+
+  bool isFree(const FoldedState& start) const {
+    return end && end->collisions.size() == start.collisions.size();
+  }
+  /// The better one collides less.
+  void improve(Moved other) {
+    if (other.end && (!end || other.end->collisions.size() < end->collisions.size()))
+      *this = std::move(other);
+  }
+};
+
+Moved movedInAnyOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
+                      const Progress& progress, bool isRecorded, MovesAlone moved) {
+  Movements way;
+  Result<FoldedState> end =
+      moveInAnyOrder(start, wanted, isRecorded ? &way : nullptr, progress, moved);
+  return {std::move(end), std::move(way)};
+}
+
+Moved movedInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
+                   const Progress& progress, bool isRecorded) {
+  Movements way;
+  InOrder in = moveInOrder(start, wanted, false, isRecorded ? &way : nullptr, progress);
+  if (in.why) return {*in.why, {}};
+  return {std::move(in.state), std::move(way)};
+}
+
 /// Line by line says how the paper comes to lie, where it meets nothing on the way. It moves all at
-/// once where that is free, or the only way that is, or the only way there is.
+/// once where that is free, or the only way that is, or the only way there is. What collides so may
+/// be free in order, with creases of loops following each other. Creases that were turned over come
+/// last of all: a loop of creases may turn them back.
 Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wanted>& wanted,
                                  Movements* record, const Progress& progress) {
-  Movements oneByOne;
-  Result<FoldedState> end =
-      moveInAnyOrder(start, wanted, record != nullptr ? &oneByOne : nullptr, progress);
-  if (!end && end.error().code == ErrorCode::Cancelled) return end;
-  const bool isFree = end && end->collisions.size() == start.collisions.size();
-  if (isFree && record == nullptr) return end;
+  const bool isRecorded = record != nullptr;
+  Moved best = movedInAnyOrder(start, wanted, progress, isRecorded, setAmountAlone);
+  const auto isStopped = [&] { return !best.end && best.end.error().code == ErrorCode::Cancelled; };
+  if (isStopped() || (best.isFree(start) && !isRecorded)) return best.end;
+  const bool isFree = best.isFree(start);
   const std::shared_ptr<const RigidPath> path = pathFor(start, wanted);
-  if (path == nullptr) {
-    if (end && record != nullptr) record->insert(record->end(), oneByOne.begin(), oneByOne.end());
-    return end;
+  if (!isFree && path != nullptr) best.improve({endOf(start, path, wanted), {}});
+  if (!best.isFree(start)) {
+    Moved inOrder = movedInOrder(start, wanted, progress, isRecorded);
+    if (best.end || inOrder.isFree(start)) best.improve(std::move(inOrder));
   }
-  if (!isFree) {
-    FoldedState atOnce = endOf(start, path, wanted);
-    if (!end || atOnce.collisions.size() < end->collisions.size()) {
-      end = std::move(atOnce);
-      oneByOne.clear();
-    }
+  if (!best.end) {
+    Moved over = movedInAnyOrder(start, wanted, progress, isRecorded, setAmountTurnedOver);
+    if (over.isFree(start)) best = std::move(over);
   }
-  if (record == nullptr) return end;
-  Movement motion = movementAlong(start, path, *end);
-  if (oneByOne.empty() || collisionsOnTheWay(motion, wanted.front().first).empty()) {
-    record->push_back(std::move(motion));
-  } else {
-    record->insert(record->end(), oneByOne.begin(), oneByOne.end());
+  if (!goesOn(progress, 1)) return cancelled();
+  if (!best.end || !isRecorded) return best.end;
+  if (path != nullptr && (isFree || best.way.empty())) {
+    Movement atOnce = movementAlong(start, path, *best.end);
+    if (best.way.empty() || collisionsOnTheWay(atOnce, wanted.front().first).empty())
+      best.way = {std::move(atOnce)};
   }
-  return end;
+  record->insert(record->end(), best.way.begin(), best.way.end());
+  return best.end;
 }
 
 /// True when nothing but hinges of these lines is folded.
@@ -198,17 +269,50 @@ bool areAllFolded(const FoldedState& state, const std::vector<FoldLineId>& lines
       });
 }
 
+/// Why lines cannot move in order, and that they can together where that is so.
+Error refused(const FoldedState& start, const std::vector<Wanted>& wanted, Error why,
+              const Progress& progress) {
+  if (why.code == ErrorCode::Locked && wanted.size() > 1 &&
+      moveTogether(start, wanted, nullptr, progress))
+    why.message += "; these folds can move together, though not in order";
+  return why;
+}
+
+/// All at once. Where that is all that is folded it always can be: flat paper is flat.
+Result<FoldedState> openTogether(const FoldedState& start, const std::vector<Wanted>& wanted,
+                                 bool isAll, Movements* record, const Progress& progress) {
+  Result<FoldedState> next = moveTogether(start, wanted, record, progress);
+  if (!next && next.error().code != ErrorCode::Cancelled && isAll) return flattened(start);
+  return next;
+}
+
+/// From the last to the first. Creases that were folded at once, or have been mended together
+/// since, hold each other: where nothing else is folded any more, they open at once, the paper
+/// bending rather than passing through itself.
+Result<FoldedState> openInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
+                                bool isAll, Movements* record, const Progress& progress) {
+  InOrder way = moveInOrder(start, wanted, isAll, record, progress);
+  if (way.left.empty()) return std::move(way.state);
+  if (way.why && way.why->code == ErrorCode::Cancelled) return *way.why;
+  if (!isAll) return refused(start, wanted, *way.why, progress);
+  Movements made;
+  Result<FoldedState> open =
+      moveTogether(way.state, way.left, record != nullptr ? &made : nullptr, progress);
+  if (!open && open.error().code == ErrorCode::Cancelled) return open;
+  if (!open || open->collisions.size() > way.state.collisions.size()) return flattened(way.state);
+  if (record != nullptr) record->insert(record->end(), made.begin(), made.end());
+  return open;
+}
+
 }  // namespace
 
 Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId> lines,
                                 GroupMotion motion, Movements* record, const Progress& progress) {
   std::reverse(lines.begin(), lines.end());
   const std::vector<Wanted> wanted = wantedOf(state, lines, true);
-  if (motion == GroupMotion::InOrder) return moveInOrder(state, wanted, record, progress);
-  Result<FoldedState> next = moveTogether(state, wanted, record, progress);
-  if (!next && next.error().code != ErrorCode::Cancelled && areAllFolded(state, lines))
-    return flattened(state);
-  return next;
+  const bool isAll = areAllFolded(state, lines);
+  return motion == GroupMotion::InOrder ? openInOrder(state, wanted, isAll, record, progress)
+                                        : openTogether(state, wanted, isAll, record, progress);
 }
 
 Result<FoldedState> unfoldOneByOne(const FoldedState& state, std::vector<FoldLineId> lines,
@@ -220,8 +324,10 @@ Result<FoldedState> unfoldOneByOne(const FoldedState& state, std::vector<FoldLin
 Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<FoldLineId>& lines,
                                 GroupMotion motion, Movements* record, const Progress& progress) {
   const std::vector<Wanted> wanted = wantedOf(state, lines, false);
-  return motion == GroupMotion::InOrder ? moveInOrder(state, wanted, record, progress)
-                                        : moveTogether(state, wanted, record, progress);
+  if (motion == GroupMotion::Together) return moveTogether(state, wanted, record, progress);
+  InOrder way = moveInOrder(state, wanted, false, record, progress);
+  if (way.why) return refused(state, wanted, *way.why, progress);
+  return std::move(way.state);
 }
 
 }  // namespace kiri
