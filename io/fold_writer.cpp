@@ -219,13 +219,4 @@ Exported writeFold(const FoldedState& state, const std::vector<FoldFrame>& histo
   return {layOut(out, kDocument), sentences};
 }
 
-FoldedState asFolded(const FoldedState& state) {
-  FoldedState out = state;
-  for (Edge& edge : out.pattern.edges) {
-    if (edge.kind != EdgeKind::Hinge || !edge.line.isValid() || edge.angle != 0) continue;
-    edge.angle = edge.sign * out.lines[edge.line.index].foldedAmount;
-  }
-  return out;
-}
-
 }  // namespace kiri

@@ -39,8 +39,4 @@ struct Exported {
 Exported writeFold(const FoldedState& state, const std::vector<FoldFrame>& history,
                    const FoldOptions& options);
 
-/// The state with every hinge that lies flat again turned by what its fold last gave it: the crease
-/// pattern that folds elsewhere. Poses and layers are left as they are: for patterns only.
-FoldedState asFolded(const FoldedState& state);
-
 }  // namespace kiri

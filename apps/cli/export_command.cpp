@@ -75,8 +75,9 @@ void addExportCommand(CLI::App& app, Console& console, int& code) {
           "--view", options->view,
           "pattern: the crease pattern only; folded: with the folded forms (default, but for svg)")
       ->type_name("VIEW");
-  command->add_flag("--as-folded", options->isAsFolded,
-                    "pattern: creases that lie flat again get the angle that their fold gave them");
+  command->add_flag(
+      "--as-folded", options->isAsFolded,
+      "pattern: creases of an open model get the angle that their fold last gave them");
   command->add_flag("--two-sided", options->isTwoSided, "obj: triangles for the back as well");
   command
       ->add_option("--layer-gap", options->layerGap,

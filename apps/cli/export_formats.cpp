@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/cli/picture_options.h"
+#include "core/model/pattern_model.h"
 #include "io/fold_history.h"
 #include "io/gltf_animation.h"
 #include "io/gltf_writer.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/cli/model_input.h"
+#include "core/model/moments.h"
 #include "core/model/pattern_model.h"
 
 namespace kiri::cli {
@@ -26,12 +27,24 @@ Result<RepairedPattern> creasesOf(const FoldedState& state, const Progress& prog
   return patternOf(drawingOf(creases), {}, progress);
 }
 
+/// The model where it is folded; at its end when it never is.
+Result<std::shared_ptr<const FoldedState>> foldedStateOf(Console& console,
+                                                         const ModelInput& model) {
+  const std::size_t count = model.model.steps.size();
+  const Result<Replay> replay = replayFirst(console, model, count);
+  if (!replay.isOk()) return replay.error();
+  const auto last = stateAfter(console, model, *replay, count);
+  if (!last.isOk()) return last;
+  const StateAfter stateAt = [&](std::size_t i) -> const FoldedState& {
+    return i == 0 ? *replay->start : *replay->outcomes[i - 1].state;
+  };
+  return replay->after(stepsUntilFolded(model.model, stateAt).value_or(count));
+}
+
 Result<PatternInput> modelCreases(Console& console, const InputText& text) {
   const Result<ModelInput> model = modelFrom(console, text);
   if (!model.isOk()) return model.error();
-  const Result<StepChoice> last = chooseStep(*model, std::nullopt);
-  if (!last.isOk()) return last.error();
-  const auto state = loadState(console, *model, *last);
+  const auto state = foldedStateOf(console, *model);
   if (!state.isOk()) return state.error();
   ProgressLine line(console, "reading");
   Result<RepairedPattern> creases = creasesOf(**state, line.progress());

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/model/pattern_model.h"
 #include "io/patterns/pattern_model_file.h"
 
 namespace kiri::cli {

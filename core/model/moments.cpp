@@ -30,19 +30,6 @@ std::size_t foldedLines(const FoldedState& state) {
   return lines.size();
 }
 
-std::size_t stepsUntilFolded(const Model& model, const Timeline& timeline) {
-  std::size_t best = 0;
-  std::size_t most = 0;
-  const std::size_t count = model.steps.size();
-  for (std::size_t i = 0; i <= count; ++i) {
-    if (i < count && !unfoldsAll(model.steps[i])) continue;
-    const std::size_t lines = foldedLines(timeline.stateAfter(i));
-    if (lines >= most) best = i;
-    most = std::max(most, lines);
-  }
-  return most > 0 ? best : count;
-}
-
 /// The way from the folded model to the sheet; none where the paper would have to bend.
 Movements wayOpen(const Model& model, const Timeline& timeline, std::size_t folded) {
   if (folded < model.steps.size() && !timeline.movementsOf(folded).empty()) {
@@ -110,11 +97,29 @@ FoldedState atRest(const FoldedState& state) {
 
 }  // namespace
 
+std::optional<std::size_t> stepsUntilFolded(const Model& model, const StateAfter& stateAfter) {
+  std::size_t best = 0;
+  std::size_t most = 0;
+  const std::size_t count = model.steps.size();
+  for (std::size_t i = 0; i <= count; ++i) {
+    if (i < count && !unfoldsAll(model.steps[i])) continue;
+    const std::size_t lines = foldedLines(stateAfter(i));
+    if (lines >= most) best = i;
+    most = std::max(most, lines);
+  }
+  if (most == 0) return std::nullopt;
+  return best;
+}
+
 Moments momentsOf(const Model& model, const Timeline& timeline) {
-  const FoldedState& last = timeline.stateAfter(model.steps.size());
+  const std::size_t count = model.steps.size();
+  const FoldedState& last = timeline.stateAfter(count);
+  const auto stateAfter = [&](std::size_t i) -> const FoldedState& {
+    return timeline.stateAfter(i);
+  };
   Moments moments{0, false, HalfWay::None, {}, atRest(last)};
-  moments.folded = stepsUntilFolded(model, timeline);
-  moments.isOpenAtTheEnd = moments.folded < model.steps.size() && foldedLines(last) == 0;
+  moments.folded = stepsUntilFolded(model, stateAfter).value_or(count);
+  moments.isOpenAtTheEnd = moments.folded < count && foldedLines(last) == 0;
   findHalf(model, timeline, moments);
   return moments;
 }

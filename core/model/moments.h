@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "core/model/model.h"
@@ -17,6 +18,13 @@ enum class HalfWay {
   None,       ///< nothing moves
 };
 
+/// The state after so many steps of a model.
+using StateAfter = std::function<const FoldedState&(std::size_t)>;
+
+/// After how many steps the model is folded: at its end, or before a step that unfolds all of it,
+/// where most fold lines are folded; the later of equals. None when it is never folded there.
+std::optional<std::size_t> stepsUntilFolded(const Model& model, const StateAfter& stateAfter);
+
 struct Moments {
   std::size_t folded = 0;       ///< after so many steps the model is folded
   bool isOpenAtTheEnd = false;  ///< the finished model lies unfolded
@@ -25,8 +33,8 @@ struct Moments {
   FoldedState unfolded;  ///< all of the paper that is left at the end, at rest
 };
 
-/// `timeline` holds all steps of the model. Folded is the model at its end, or before a step that
-/// unfolds all of it, where most fold lines are folded; the later of equals.
+/// `timeline` holds all steps of the model. Folded is the model after stepsUntilFolded, or at its
+/// end.
 Moments momentsOf(const Model& model, const Timeline& timeline);
 
 }  // namespace kiri

@@ -159,16 +159,28 @@ Result<PatternModel> modelOf(const AssignedPattern& creases, const PatternModelO
   return ModelMaking(creases, options, progress).run();
 }
 
+FoldedState asFolded(const FoldedState& state) {
+  FoldedState out = state;
+  std::vector<Edge>& edges = out.pattern.edges;
+  const bool isFolded = std::any_of(edges.begin(), edges.end(), [](const Edge& edge) {
+    return edge.kind == EdgeKind::Hinge && std::abs(edge.angle) == 180;
+  });
+  if (isFolded) return out;
+  for (Edge& edge : edges) {
+    if (edge.kind == EdgeKind::Hinge && edge.line.isValid() && edge.angle == 0)
+      edge.angle = edge.sign * out.lines[edge.line.index].foldedAmount;
+  }
+  return out;
+}
+
 AssignedPattern assignedPatternOf(const FoldedState& state, bool isAsFolded) {
-  AssignedPattern creases(state.pattern);
-  for (Edge& edge : creases.pattern.edges) {
+  AssignedPattern creases(isAsFolded ? asFolded(state).pattern : state.pattern);
+  for (const Edge& edge : creases.pattern.edges) {
     if (edge.kind != EdgeKind::Hinge) {
       creases.assignments.push_back(edge.kind == EdgeKind::Border ? Assignment::Border
                                                                   : Assignment::Cut);
       continue;
     }
-    if (isAsFolded && edge.angle == 0 && edge.line.isValid())
-      edge.angle = edge.sign * state.lines[edge.line.index].foldedAmount;
     creases.assignments.push_back(edge.angle > 0   ? Assignment::Valley
                                   : edge.angle < 0 ? Assignment::Mountain
                                                    : Assignment::Flat);

@@ -44,9 +44,14 @@ struct PatternModel {
 Result<PatternModel> modelOf(const AssignedPattern& creases, const PatternModelOptions& options,
                              const Progress& progress = {});
 
-/// The pattern that a state is: hinges with their angles (flat ones with what their fold last gave
-/// them, where `isAsFolded`), flat creases F, torn and cut edges C. Ids are those of the state;
-/// curves stay curves.
+/// An open model with every hinge that lies flat turned by what its fold last gave it: the crease
+/// pattern that folds elsewhere. Where any crease is folded flat the state is folded as it is, and
+/// comes back unchanged: what is flat in it may have helped on the way only. Poses and layers are
+/// left as they are: for patterns only.
+FoldedState asFolded(const FoldedState& state);
+
+/// The pattern that a state is (asFolded, where `isAsFolded`): hinges with their angles, flat
+/// creases F, torn and cut edges C. Ids are those of the state; curves stay curves.
 AssignedPattern assignedPatternOf(const FoldedState& state, bool isAsFolded = false);
 
 /// Which facet lies above which, for every two that overlap, facets named by places on the paper.

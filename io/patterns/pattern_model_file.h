@@ -35,8 +35,8 @@ Result<PatternOfFile> patternOfFile(const PatternFile& file, const Progress& pro
 Result<PatternModel> modelOfFile(const PatternFile& file, PatternModelOptions options = {},
                                  const Progress& progress = {});
 
-/// A state as a pattern file in mm: its creases with their angles (flat ones with what their fold
-/// last gave them, where `isAsFolded`), and its layer order. Curves are polylines; a note says so.
+/// A state as a pattern file in mm: its creases with their angles (asFolded, where `isAsFolded`),
+/// and its layer order. Curves are polylines; a note says so.
 PatternFile patternFileOf(const FoldedState& state, const Model& model, bool isAsFolded = false);
 
 }  // namespace kiri

@@ -306,12 +306,5 @@ TEST(FoldWriter, LeavesOutOrdersThatFollowFromOthersInLargeStacks) {
   EXPECT_TRUE(file.contains("kiri:faceOrders"));
 }
 
-TEST(FoldWriter, CanGiveTheAnglesThatUnfoldedCreasesHad) {
-  const FoldedState state =
-      test::run("square 100\nfold a mountain 120 50,0 50,100 left\nunfold all");
-  const test::Frame frame = frameOf(json::parse(writeFold(asFolded(state), {}, {}).text));
-  EXPECT_EQ(std::count(frame.angles.begin(), frame.angles.end(), -120.0), 1);
-}
-
 }  // namespace
 }  // namespace kiri

@@ -45,7 +45,7 @@ struct ExportRequest {
   std::optional<Color> background;
 
   // Other programs.
-  bool isAsFolded = false;  ///< sheet: creases that lie flat again get the angle of their fold
+  bool isAsFolded = false;  ///< sheet: creases of an open model get the angle of their fold
   double layerGap = 0;      ///< mm
   double thickness = 0;     ///< mm
   bool isTwoSided = false;  ///< OBJ

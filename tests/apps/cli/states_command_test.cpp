@@ -122,6 +122,37 @@ TEST_F(CheckCommand, ReadsModelsAndPipes) {
   EXPECT_EQ(json::parse(runKiri({"check", "-", "--json"}, {mapAsFold("U")}).out)["format"], "FOLD");
 }
 
+/// A paper hat with its brim in front: the crease "middle" only shows where the corners go.
+std::string hatAsModel(const std::string& last) {
+  return R"({"format": "kiri", "version": 1,
+      "sheet": {"shape": "rectangle", "width": 80, "height": 140}, "steps": [
+      {"do": "fold", "name": "half", "line": {"model": [[-5, 70], [85, 70]]}, "type": "valley",
+       "move": {"point": [40, 120]}},
+      {"do": "fold", "name": "middle", "line": {"model": [[40, -5], [40, 75]]}, "type": "valley",
+       "move": {"point": [10, 25]}},
+      {"do": "unfold", "folds": ["middle"]},
+      {"do": "fold", "name": "left", "line": {"model": [[40, 70], [0, 30]]}, "type": "valley",
+       "move": {"point": [5, 65]}},
+      {"do": "fold", "name": "right", "line": {"model": [[40, 70], [80, 30]]}, "type": "valley",
+       "move": {"point": [75, 65]}},
+      {"do": "fold", "name": "brim", "line": {"model": [[-5, 30], [85, 30]]}, "type": "valley",
+       "layers": {"facets": [{"paper": [20, 137]}, {"paper": [60, 137]}]},
+       "move": {"point": [40, 10]}})" +
+         last + "]}";
+}
+
+TEST_F(CheckCommand, TakesTheCreasesAsTheyAreWhereTheModelIsFolded) {
+  for (const char* last : {"", R"(, {"do": "unfold"})",
+                           R"(, {"do": "unfold"}, {"do": "angle", "fold": "half", "angle": 20})"}) {
+    const Answer answer = runKiri({"check", "-", "--json"}, {hatAsModel(last)});
+    ASSERT_EQ(answer.code, kDone) << answer.err;
+    const json report = json::parse(answer.out);
+    EXPECT_EQ(report["verdict"], "folds flat around every vertex") << last;
+    EXPECT_EQ(report["creases"]["flat"], 3) << "the middle" << last;
+    EXPECT_EQ(report["closes"], true) << last;
+  }
+}
+
 TEST_F(StatesCommand, CountsAllStatesOfAMap) {
   const std::string file = put("map.fold", mapAsFold("U"));
   EXPECT_EQ(runKiri({"states", file, "--count"}).out, "60\n");

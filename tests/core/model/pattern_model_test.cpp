@@ -11,6 +11,7 @@
 #include "core/model/replay.h"
 #include "core/model/timeline.h"
 #include "tests/support/expect.h"
+#include "tests/support/model_text.h"
 #include "tests/support/order_check.h"
 #include "tests/support/pattern_text.h"
 #include "tests/support/state_check.h"
@@ -257,6 +258,38 @@ TEST(PatternModel, StaysFlatWhereItCannotFoldAndSaysWhy) {
   const FoldedState state = lastOf(model.model);
   EXPECT_TRUE(isClean(state));
   EXPECT_EQ(state.lines.size(), 3u);
+}
+
+std::vector<Assignment> foldedCreases(const FoldedState& state) {
+  const AssignedPattern creases = assignedPatternOf(state, true);
+  std::vector<Assignment> folded;
+  for (std::size_t e = 0; e < creases.assignments.size(); ++e) {
+    if (creases.pattern.edges[e].kind == EdgeKind::Hinge) folded.push_back(creases.assignments[e]);
+  }
+  std::sort(folded.begin(), folded.end());
+  return folded;
+}
+
+TEST(AsFolded, GivesTheCreasesOfAnOpenModelTheAnglesTheyHad) {
+  const FoldedState open = run("square 100; fold a mountain 120 50,0 50,100 left; unfold all");
+  const FoldedState folded = asFolded(open);
+  for (const Edge& edge : folded.pattern.edges) {
+    if (edge.kind == EdgeKind::Hinge) EXPECT_EQ(edge.angle, -120);
+  }
+  const FoldedState ajar =
+      run("square 100; fold a mountain 120 50,0 50,100 left; unfold all;"
+          "fold b valley 20 0,50 100,50 left");
+  EXPECT_EQ(foldedCreases(ajar),
+            (std::vector<Assignment>{Assignment::Mountain, Assignment::Mountain, Assignment::Valley,
+                                     Assignment::Valley}));
+}
+
+TEST(AsFolded, LeavesCreasesThatOnlyHelpedOnTheWayToAFoldedModelFlat) {
+  const FoldedState folded =
+      run("square 100; fold guide valley 50,0 50,100 left; unfold guide;"
+          "fold half valley 0,50 100,50 left");
+  EXPECT_EQ(foldedCreases(folded), (std::vector<Assignment>{Assignment::Valley, Assignment::Valley,
+                                                            Assignment::Flat, Assignment::Flat}));
 }
 
 TEST(PatternModel, PartlyFoldedPatternsKeepTheirAngles) {

@@ -187,7 +187,10 @@ TEST(PatternModelFile, AStateHasItsAnglesAndOrdersInTheFile) {
                          [a](const DrawnCrease& line) { return line.assignment == a; });
   };
   EXPECT_EQ(count(lying, Assignment::Flat), 2);
-  const PatternFile folded = patternFileOf(endOf(model), model, true);
+  const PatternFile asItLies = patternFileOf(endOf(model), model, true);
+  EXPECT_EQ(count(asItLies, Assignment::Flat), 2) << "B is open, and the rest is folded without it";
+  EXPECT_FALSE(asItLies.drawing.orders.empty());
+  const PatternFile folded = patternFileOf(after(endOf(model), "unfold A"), model, true);
   EXPECT_EQ(count(folded, Assignment::Flat), 0);
   EXPECT_TRUE(folded.drawing.orders.empty());
 }
