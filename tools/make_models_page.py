@@ -67,7 +67,7 @@ def make_pictures(gallery):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([ROOT / "kiri", "gallery", "-o", folder, "--no-animations"], check=True)
         index = (Path(folder) / "index.html").read_text(encoding="utf-8")
-        for picture in re.findall(r'<img src="([^"]+)"', index):
+        for picture in re.findall(r', (\S+) 480w"', index):
             shutil.copyfile(Path(folder) / picture, PICTURES / f"{Path(picture).parent}.png")
 
 

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
+#include <tuple>
 
 #include "core/paper/boxes.h"
 #include "core/paper/contours.h"
 #include "render/scene/label_room.h"
+#include "render/scene/page_text.h"
 
 namespace kiri {
 namespace {
@@ -23,8 +26,7 @@ constexpr double kLinePart = 0.002;
 constexpr double kBorderPart = 0.003;
 /// Room for numbers beside the leaf, in heights of the text.
 constexpr double kRoom = 9;
-/// Width of a letter in the label, and how far off a tooth its label may stand, in heights too.
-constexpr double kDigitWidth = 0.56;
+/// How far off a tooth its label may stand, in heights too.
 constexpr double kMinorReach = 12;
 /// How much white is mixed into the paper, so that lines and numbers stand out.
 constexpr double kWhite = 0.75;
@@ -36,9 +38,15 @@ Color paled(Color color) {
   return {mixed(color.red), mixed(color.green), mixed(color.blue)};
 }
 
+/// What is nearer than this is one number, so that both sides of a leaf are rounded alike.
+double settled(double value) {
+  constexpr double kSteps = 10000;
+  return std::round(value * kSteps) / kSteps;
+}
+
 std::string rounded(double value, int decimals) {
   char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
+  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, settled(value));
   return buffer;
 }
 
@@ -93,15 +101,10 @@ class MeasureItems {
     return group;
   }
 
-  /// Labels that find a place: lobes first, then sinuses, then what teeth leave room for.
+  /// Labels that find a place.
   Group numbers(LabelRoom places, const Vec2& caption) const {
     Group group{"numbers", "numbers", {}, {}};
-    for (int turn = 0; turn < 3; ++turn) {
-      for (std::size_t i = 0; i < m_.margin.size(); ++i) {
-        const int wanted = isMinor(i) ? 2 : m_.margin[i].isLobe ? 0 : 1;
-        if (wanted == turn) addLabel(i, places, group);
-      }
-    }
+    for (const std::size_t i : inOrderOfWeight()) addLabel(i, places, group);
     const std::string text = "length " + rounded(m_.length, 1) + " mm, width " +
                              rounded(m_.width, 1) + " mm, area " + rounded(m_.area / 100, 2) +
                              " cm\u00b2, perimeter " + rounded(m_.perimeter, 1) + " mm";
@@ -124,6 +127,21 @@ class MeasureItems {
     return isTooth(i) || (!m_.margin[i].isLobe && (isTooth(i + 1) || (i > 0 && isTooth(i - 1))));
   }
 
+  /// Lobes first, then sinuses, then teeth and the sinuses beside them; outward from the axis, so
+  /// that both sides of a leaf are labelled alike.
+  std::vector<std::size_t> inOrderOfWeight() const {
+    const auto keyOf = [this](std::size_t i) {
+      const MarginPoint& point = m_.margin[i];
+      const int weight = isMinor(i) ? 2 : point.isLobe ? 0 : 1;
+      return std::tuple(weight, settled(std::abs(point.angle)), i);
+    };
+    std::vector<std::size_t> order(m_.margin.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&keyOf](std::size_t a, std::size_t b) { return keyOf(a) < keyOf(b); });
+    return order;
+  }
+
   Item line(Vec2 from, Vec2 to, Color color, double weight, bool isDashed) const {
     Stroke stroke;
     stroke.color = color;
@@ -140,17 +158,13 @@ class MeasureItems {
     const Vec2 outward = normalized(toScene_.direction(point.place - m_.petiole));
     const std::string number =
         rounded(std::abs(point.angle), 1) + "\u00b0 " + rounded(point.length, 1);
-    const Vec2 room{kDigitWidth * height * static_cast<double>(number.size()), 1.2 * height};
-    const auto place = places.take(end, outward, room, isMinor(i) ? kMinorReach * height : size_);
+    const Vec2 room{widthOf(number, height), 1.2 * height};
+    const auto place =
+        places.takeBeyond(end, outward, room, isMinor(i) ? kMinorReach * height : size_);
     if (!place) return;
     if (place->isAway) group.items.push_back(line(end, place->near, colorOf(point), 0.5, true));
-    TextItem text;
-    text.at = place->middle - Vec2{0, height / 3};
-    text.text = number;
-    text.height = height;
-    text.anchor = TextAnchor::Middle;
-    text.color = colorOf(point);
-    group.items.push_back({text, "measure", "", {}});
+    group.items.push_back(
+        {centredText(number, height, place->middle, colorOf(point)), "measure", "", {}});
   }
 
   const LeafMeasures& m_;
@@ -175,7 +189,7 @@ Scene measureScene(const FoldedState& state, const LeafMeasures& measures,
   const Vec2 caption{scene.width / 2, 2 * height};
   const Box free{{height / 2, caption.y + 2 * height},
                  {scene.width - height / 2, scene.height - height / 2}};
-  const LabelRoom places(borderLoops(state.pattern, toScene, height / 2), free);
+  const LabelRoom places(free, borderLoops(state.pattern, toScene, height / 2));
   const MeasureItems items(measures, toScene, size);
   for (const bool ofLobes : {false, true}) scene.groups.push_back(items.rays(ofLobes));
   scene.groups.push_back(items.axis());

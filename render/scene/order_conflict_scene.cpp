@@ -6,6 +6,7 @@
 
 #include "core/paper/boxes.h"
 #include "render/scene/assigned_items.h"
+#include "render/scene/label_room.h"
 #include "render/scene/page.h"
 #include "render/scene/page_text.h"
 #include "render/scene/pattern_check_scene.h"
@@ -106,13 +107,15 @@ class ConflictItems {
 
   Group numbers(const std::string& id, const Affine& toScene, const FlatMap* map) const {
     Group group{id, "numbers of the facets", {}, {}};
-    LabelPlaces labels(page_);
+    LabelRoom labels(page_);
     for (std::size_t i = 0; i < conflict_.facets.size(); ++i) {
       const FacetId f = conflict_.facets[i];
       Vec2 at = interiorPointOf(creases_.pattern, f);
       if (map != nullptr) at = map->poses[f.index].apply(at);
-      const TextItem text = labels.place(std::to_string(i + 1), kWordHeight, toScene.apply(at),
-                                         -kWordHeight / 2, {0, 0, 0});
+      const std::string number = std::to_string(i + 1);
+      const Vec2 middle = labels.takeAround(
+          toScene.apply(at), {widthOf(number, kWordHeight), kWordHeight}, -kWordHeight / 2);
+      const TextItem text = centredText(number, kWordHeight, middle, {0, 0, 0});
       group.items.push_back({text, "number", "", {{"facet", std::to_string(f.index)}}});
     }
     return group;

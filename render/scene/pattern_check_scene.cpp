@@ -9,6 +9,7 @@
 
 #include "core/paper/boxes.h"
 #include "render/scene/assigned_items.h"
+#include "render/scene/label_room.h"
 #include "render/scene/page.h"
 #include "render/scene/page_text.h"
 #include "render/scene/pattern_page.h"
@@ -158,7 +159,8 @@ class CheckMarks {
       }
       const double reach = radius_ + static_cast<double>(end - first) * 2 * kMarkWidth;
       const Vec2 at = toScene_.apply(creases_.pattern[faults[first].vertex]);
-      group.items.push_back({labels_.place(words, height, at, reach, kWordColor), "label", "", {}});
+      const Vec2 middle = labels_.takeAround(at, {widthOf(words, height), height}, reach);
+      group.items.push_back({centredText(words, height, middle, kWordColor), "label", "", {}});
       first = end;
     }
     return group;
@@ -176,7 +178,7 @@ class CheckMarks {
   const AssignedPattern& creases_;
   Affine toScene_;
   double radius_;
-  LabelPlaces labels_;
+  LabelRoom labels_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/leaf/leaf_model.h"
@@ -32,33 +33,63 @@ Box boxOf(const TextItem& number) {
   return {number.at - Vec2{width / 2, 0}, number.at + Vec2{width / 2, 0.8 * number.height}};
 }
 
-TEST(MeasureScene, NumbersStandBesideTheLeafWithoutTouching) {
+/// The crowded leaf on its page, and what was measured.
+struct MeasuredLeaf {
+  LeafMeasures measures;
+  Scene scene;
+
+  /// The numbers beside the leaf.
+  std::vector<TextItem> numbers() const {
+    std::vector<TextItem> found;
+    for (const Group& group : scene.groups) {
+      for (const Item& item : group.items) {
+        const auto* text = std::get_if<TextItem>(&item.shape);
+        if (text != nullptr && text->text.find("\u00b0") != std::string::npos)
+          found.push_back(*text);
+      }
+    }
+    return found;
+  }
+};
+
+MeasuredLeaf crowdedLeafMeasured() {
   const Result<LeafModel> leaf = leafModelOf(crowdedLeaf());
-  ASSERT_TRUE(leaf) << leaf.error().message;
+  EXPECT_TRUE(leaf) << leaf.error().message;
   const Result<Replay> replayed = replay(leaf->model);
   const FoldedState& state = **replayed->after(leaf->model.steps.size());
   const Result<LeafMeasures> measures = measuresOf(state.pattern);
-  ASSERT_TRUE(measures);
-  const Scene scene = measureScene(state, *measures, {}, {});
-  std::vector<TextItem> numbers;
-  for (const Group& group : scene.groups) {
-    for (const Item& item : group.items) {
-      const auto* text = std::get_if<TextItem>(&item.shape);
-      if (text != nullptr && text->text.find("\u00b0") != std::string::npos)
-        numbers.push_back(*text);
-    }
-  }
+  EXPECT_TRUE(measures);
+  return {*measures, measureScene(state, *measures, {}, {})};
+}
+
+TEST(MeasureScene, NumbersStandBesideTheLeafWithoutTouching) {
+  const MeasuredLeaf leaf = crowdedLeafMeasured();
+  const std::vector<TextItem> numbers = leaf.numbers();
   // Those of teeth may find no room; lobes and sinuses have theirs, on both sides.
   int shown = 0;
   for (const TextItem& number : numbers) shown += number.color == Color{200, 40, 40} ? 1 : 0;
-  EXPECT_GE(shown, measures->royerLobeCount);
-  EXPECT_GE(numbers.size(), measures->margin.size() - 2);
+  EXPECT_GE(shown, leaf.measures.royerLobeCount);
+  EXPECT_GE(numbers.size(), leaf.measures.margin.size() - 2);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       EXPECT_FALSE(areNear(boxOf(numbers[i]), boxOf(numbers[k]), 0))
           << numbers[i].text << " and " << numbers[k].text;
     }
   }
+}
+
+TEST(MeasureScene, BothSidesOfALeafAreLabelledAlike) {
+  const MeasuredLeaf leaf = crowdedLeafMeasured();
+  const std::vector<TextItem> numbers = leaf.numbers();
+  std::size_t alone = 0;
+  for (const TextItem& number : numbers) {
+    const Vec2 mirrored{leaf.scene.width - number.at.x, number.at.y};
+    const bool hasTwin = std::any_of(numbers.begin(), numbers.end(), [&](const TextItem& other) {
+      return other.text == number.text && distance(other.at, mirrored) < 1e-3;
+    });
+    alone += hasTwin ? 0 : 1;
+  }
+  EXPECT_EQ(alone, 0U);
 }
 
 }  // namespace
