@@ -24,7 +24,13 @@ LeafRay readRay(const Field& field) {
     ray.angle = angle->number({0, kHalfTurn, true});
   }
   if (const auto length = fields.require("length", "as part of the mid-vein's length")) {
-    ray.length = length->number({0, kLongestRay, true});
+    const double number = length->number({0, kLargestLength, true});
+    if (number > kLongestRay) {
+      length->mistake("is " + length->json().text +
+                      ", but lengths are parts of the mid-vein's: 0.5 is half of it; divide by its "
+                      "millimetres");
+    }
+    ray.length = number;
   }
   fields.finish();
   return ray;
@@ -86,8 +92,10 @@ void readBody(Fields& fields, LeafRecipe& recipe) {
     recipe.petiole = Petiole::OnEdge;
     recipe.base.angle = kHalfTurn / 2;
   }
-  recipe.veins = readRays(fields.require("veins", "the veins beside the mid-vein, outward"));
-  recipe.antiVeins = readRays(fields.require("antiVeins", "one before each vein, outward"));
+  recipe.veins =
+      readRays(fields.require("veins", "the veins beside the mid-vein, outward; [] for none"));
+  recipe.antiVeins =
+      readRays(fields.require("antiVeins", "one before each vein, outward; [] for none"));
   if (const auto base = fields.require("base", "the basal edge, {\"angle\": .., \"length\": ..}")) {
     recipe.base = readRay(*base);
   }

@@ -9,6 +9,7 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/output_format.h"
 #include "core/geometry/tolerance.h"
 #include "core/leaf/leaf_measures.h"
 #include "core/leaf/leaf_model.h"
@@ -106,7 +107,19 @@ int showLaw(Console& console, const std::string& name, const LeafModel& leaf, do
   return kDone;
 }
 
+/// A leaf is written as a model; what else is made of it, other commands make.
+Status checkEnding(const std::string& out) {
+  const std::string ending = endingOf(out);
+  if (out.empty() || out == "-" || ending.empty() || ending == "kiri") return std::monostate{};
+  return Error{ErrorCode::BadValue, out + " ends in ." + ending +
+                                        ", but this command writes a model, a .kiri file; kiri " +
+                                        "render makes pictures of it, kiri export other files"};
+}
+
 int run(Console& console, const LeafOptions& options) {
+  if (const Status status = checkEnding(options.out); !status) {
+    return fail(console, status.error(), kBadUsage);
+  }
   const Result<InputText> input = readInput(console, options.recipe);
   if (!input) return fail(console, input.error());
   const Result<LoadedRecipe> loaded = readLeafRecipe(input->text, input->name);

@@ -25,6 +25,13 @@ std::string lowered(std::string text) {
 
 }  // namespace
 
+std::string endingOf(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? "" : lowered(name.substr(dot + 1));
+}
+
 Result<std::string> chooseFormat(const std::string& path, const std::string& format,
                                  const std::vector<std::string>& known) {
   const auto isKnown = [&](const std::string& name) {
@@ -40,10 +47,7 @@ Result<std::string> chooseFormat(const std::string& path, const std::string& for
         ErrorCode::BadValue,
         "standard output has no name to tell the format by; add --format " + listed(known, "")};
   }
-  const std::size_t slash = path.rfind('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  const std::size_t dot = name.rfind('.');
-  const std::string ending = dot == std::string::npos ? "" : lowered(name.substr(dot + 1));
+  const std::string ending = endingOf(path);
   if (isKnown(ending)) return ending;
   return Error{ErrorCode::BadValue,
                path + (ending.empty() ? " has no ending" : " ends in ." + ending) +

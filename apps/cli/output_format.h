@@ -9,9 +9,11 @@
 
 namespace kiri::cli {
 
+/// What follows the last dot of a file's name, in small letters; empty without one.
+std::string endingOf(const std::string& path);
+
 /// One of `known` ("svg", "png"...). Errors: BadValue - an ending that is none of them, or standard
-/// output without
-/// --format; the sentence lists what there is.
+/// output without --format; the sentence lists what there is.
 Result<std::string> chooseFormat(const std::string& path, const std::string& format,
                                  const std::vector<std::string>& known);
 

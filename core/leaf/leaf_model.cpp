@@ -20,7 +20,7 @@ Result<LeafModel> leafModelOf(const LeafRecipe& recipe) {
   if (!knots) return knots.error();
   const Result<MarginCurve> curve = marginCurve(half, *knots);
   if (!curve) return curve.error();
-  const LeafPlan plan{recipe, *fan, half, *curve, LeafSheet(recipe, half)};
+  const LeafPlan plan{recipe, *fan, half, *curve, LeafSheet(recipe, half, *curve)};
   LeafModel leaf{{}, half, plan.sheet.petiole()};
   Model& model = leaf.model;
   model.title = recipe.title;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/bounds.h"
 #include "core/geometry/rigid.h"
 
 namespace kiri {
@@ -22,16 +23,28 @@ constexpr double kCorner = 0.005;
 constexpr int kMostTries = 20;
 /// Where facets are named, as part of the shortest ray.
 constexpr double kNear = 0.3;
+constexpr int kPlacesPerPiece = 4;
+
+/// What the right half covers, in lengths of the mid-vein.
+Box bladeBox(const FoldedHalf& half, const MarginCurve& curve) {
+  Box box{{0, 0}, {0, 1}};
+  for (std::size_t facet = 0; facet + 1 < half.creases().size(); ++facet) {
+    for (const Vec2 p : marginOfFacet(half, curve, facet, kPlacesPerPiece)) {
+      box = joined(box, p);
+    }
+  }
+  return box;
+}
 
 }  // namespace
 
-LeafSheet::LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half) : midVein_(recipe.midVein) {
-  double wide = 0;
-  double low = 0;
+LeafSheet::LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half, const MarginCurve& curve)
+    : midVein_(recipe.midVein) {
+  const Box blade = bladeBox(half, curve);
+  const double wide = blade.high.x;
+  const double low = std::max(0.0, -blade.low.y);
   double shortest = 1;
   for (const LeafCrease& crease : half.creases()) {
-    wide = std::max(wide, crease.end.x);
-    low = std::max(low, -crease.end.y);
     shortest = std::min(shortest, length(crease.end));
     if (!crease.junctions.empty()) shortest = std::min(shortest, length(crease.junctions.front()));
   }

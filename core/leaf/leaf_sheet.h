@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/leaf/folded_half.h"
+#include "core/leaf/margin.h"
 
 namespace kiri {
 
@@ -13,7 +14,7 @@ namespace kiri {
 /// corners however large. Sides: 1 is the right half of the leaf, -1 the left. Lengths in mm.
 class LeafSheet {
  public:
-  LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half);
+  LeafSheet(const LeafRecipe& recipe, const FoldedHalf& half, const MarginCurve& curve);
 
   double width() const { return width_; }
   double height() const { return height_; }

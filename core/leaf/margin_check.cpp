@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/geometry/tolerance.h"
 #include "core/leaf/margin.h"
 
@@ -35,6 +36,36 @@ const MarginKnot* culpritNear(const FoldedHalf& half, const std::vector<MarginKn
   return culprit;
 }
 
+/// The main vein that a secondary crease leaves, or that the crease is; the number of creases when
+/// it is neither.
+std::size_t mainVeinOf(const FoldedHalf& half, std::size_t crease) {
+  const std::vector<LeafCrease>& creases = half.creases();
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    if (creases[i].kind != RayKind::Vein || creases[i].isSecondary) continue;
+    const std::vector<Vec2>& junctions = creases[i].junctions;
+    const bool leaves =
+        std::find(junctions.begin(), junctions.end(), creases[crease].from) != junctions.end();
+    if (i == crease || (creases[crease].isSecondary && leaves)) return i;
+  }
+  return creases.size();
+}
+
+/// Where one of two lobes has a pair and the other none: what brings their tips together. Empty
+/// when that is not so.
+std::string pairRemedy(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
+                       std::size_t crease, std::size_t other) {
+  const std::vector<LeafCrease>& creases = half.creases();
+  if (other >= creases.size()) return "";
+  std::size_t turned = mainVeinOf(half, crease);
+  std::size_t still = mainVeinOf(half, other);
+  if (turned >= creases.size() || still >= creases.size()) return "";
+  if (creases[turned].junctions.empty()) std::swap(turned, still);
+  if (creases[turned].junctions.empty() || !creases[still].junctions.empty()) return "";
+  return "; secondary lobes turn the end of the " + creases[turned].name + " to " +
+         text(std::round(knots[turned].folded * 10) / 10) + " degrees: fold the " +
+         creases[still].name + " to about as much, or give its lobe a pair that turns it alike";
+}
+
 Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
               const MarginCurve& curve, std::size_t facet, std::size_t sample,
               const std::string& what) {
@@ -43,9 +74,13 @@ Error between(const FoldedHalf& half, const std::vector<MarginKnot>& knots,
   const std::size_t at = curve.crossings[half.tipOf(facet)] + sample / kSamplesPerPiece;
   const MarginKnot* culprit = culpritNear(half, knots, curve, facet, at);
   const std::string near = culprit == nullptr ? "" : " at " + told(*culprit);
+  const std::string remedy = culprit == nullptr
+                                 ? ""
+                                 : pairRemedy(half, knots, half.tipOf(facet),
+                                              static_cast<std::size_t>(culprit - knots.data()));
   return badMargin("no single margin cuts " + tip + " and " + sinus +
                    " so that they end in a tip " + "and a sinus: between them it " + what + near +
-                   kRemedy);
+                   (remedy.empty() ? kRemedy : remedy));
 }
 
 Vec3 lifted(Vec2 p) { return {p.x, p.y, 0}; }

@@ -14,19 +14,64 @@ namespace {
 
 Error badKnot(std::string message) { return {ErrorCode::BadValue, std::move(message)}; }
 
+/// A crease from the petiole, by its place in the half leaf, and where its end lies.
+struct RayKnot {
+  std::size_t crease = 0;
+  MarginKnot knot;
+};
+
+double flatAngle(const LeafCrease& crease) { return angleDegrees(crease.end.y, crease.end.x); }
+
+/// The nearest crease from the petiole before `crease` that is of one of the kinds.
+std::size_t rayBefore(const FoldedHalf& half, std::size_t crease, bool isAntiVein) {
+  while (crease > 0) {
+    const LeafCrease& c = half.creases()[--crease];
+    if (!c.isSecondary && (!isAntiVein || c.kind == RayKind::AntiVein)) break;
+  }
+  return crease;
+}
+
+/// "; move the second anti-vein inward, to less than 86 degrees": what would fold `after` nearer to
+/// the mid-vein than `before`. Empty when nothing simple does, and for the mid-vein itself.
+std::string moveInward(const FoldedHalf& half, const RayKnot& before, const RayKnot& after) {
+  // A vein is folded back at the anti-vein before it: that one moves it by twice its own way.
+  const bool isVein = half.creases()[after.crease].kind == RayKind::Vein;
+  const std::size_t moved = isVein ? rayBefore(half, after.crease, true) : after.crease;
+  const double way = (after.knot.folded - before.knot.folded) / (isVein ? 2 : 1);
+  const double most = std::floor((flatAngle(half.creases()[moved]) - way) * 10) / 10;
+  if (before.crease == 0 || moved <= before.crease ||
+      most <= flatAngle(half.creases()[rayBefore(half, moved, false)]))
+    return "";
+  return ", or move the " + half.creases()[moved].name + " inward, to less than " + text(most) +
+         " degrees";
+}
+
+std::string remedyFor(const FoldedHalf& half, const RayKnot& before, const RayKnot& after) {
+  std::string shorter =
+      "; give the " + after.knot.name + " a length below " + text(before.knot.length);
+  if (before.crease > 0) {
+    shorter += ", or the " + before.knot.name + " one above " + text(after.knot.length);
+  }
+  return shorter + moveInward(half, before, after);
+}
+
 /// One curve cuts all: along it lengths must fall as folded directions rise.
-Status checkFalling(std::vector<MarginKnot> knots) {
-  std::stable_sort(knots.begin(), knots.end(),
-                   [](const MarginKnot& a, const MarginKnot& b) { return a.folded < b.folded; });
-  for (std::size_t i = 1; i < knots.size(); ++i) {
-    const MarginKnot& before = knots[i - 1];
-    const MarginKnot& after = knots[i];
+Status checkFalling(const FoldedHalf& half, std::vector<RayKnot> rays) {
+  std::stable_sort(rays.begin(), rays.end(), [](const RayKnot& a, const RayKnot& b) {
+    return a.knot.folded < b.knot.folded;
+  });
+  for (std::size_t i = 1; i < rays.size(); ++i) {
+    const MarginKnot& before = rays[i - 1].knot;
+    const MarginKnot& after = rays[i].knot;
     const bool isSameWay = after.folded - before.folded <= kSameAngle;
     const double fall = before.length - after.length;
     if (isSameWay ? std::abs(fall) <= kParallel : fall > kParallel) continue;
-    return badKnot("no single margin cuts both " + told(before) + " and " + told(after) +
-                   ": it must come nearer to the petiole from one to the next; change a length, or "
-                   "the angles before them");
+    const std::string both = "no single margin cuts both " + told(before) + " and " + told(after);
+    if (isSameWay) {
+      return badKnot(both + ": they lie the same way; give them one length, or change an angle");
+    }
+    return badKnot(both + ": it must come nearer to the petiole from one to the next" +
+                   remedyFor(half, rays[i - 1], rays[i]));
   }
   return std::monostate{};
 }
@@ -36,10 +81,11 @@ MarginKnot knotAt(std::string name, Vec2 place) {
 }
 
 /// The knots between which a place must lie: where the rays before and after it are cut.
-Status checkPlace(const MarginKnot& place, const std::vector<MarginKnot>& rays) {
+Status checkPlace(const MarginKnot& place, const std::vector<RayKnot>& rays) {
   const MarginKnot* before = nullptr;
   const MarginKnot* after = nullptr;
-  for (const MarginKnot& ray : rays) {
+  for (const RayKnot& rayKnot : rays) {
+    const MarginKnot& ray = rayKnot.knot;
     const bool isBefore = ray.folded <= place.folded + kSameAngle;
     const bool isAfter = ray.folded >= place.folded - kSameAngle;
     if (isBefore && (before == nullptr || ray.length < before->length)) before = &ray;
@@ -48,6 +94,11 @@ Status checkPlace(const MarginKnot& place, const std::vector<MarginKnot>& rays) 
   // Where secondary lobes turn the ends of veins away there may be no ray on one side.
   if (before == nullptr || after == nullptr) return std::monostate{};
   if (place.length < before->length && place.length > after->length) return std::monostate{};
+  if (before == after) {
+    return badKnot("no single margin passes the " + place.name + ": folded it lies on the " +
+                   before->name + ", which the margin meets at " + text(before->length) +
+                   "; leave it out");
+  }
   return badKnot("no single margin passes the " + place.name + ": folded it lies at " +
                  text(place.folded) + " degrees, between the " + before->name + " and the " +
                  after->name + ", and the margin falls from " + text(before->length) + " to " +
@@ -55,7 +106,7 @@ Status checkPlace(const MarginKnot& place, const std::vector<MarginKnot>& rays) 
 }
 
 /// The margin comes nearer to the petiole all the way.
-Status checkPlaces(const std::vector<MarginKnot>& places, const std::vector<MarginKnot>& rays) {
+Status checkPlaces(const std::vector<MarginKnot>& places, const std::vector<RayKnot>& rays) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (Status status = checkPlace(places[i], rays); !status) return status;
     for (std::size_t k = 0; k < i; ++k) {
@@ -77,16 +128,15 @@ std::string told(const MarginKnot& knot) {
 
 Result<std::vector<MarginKnot>> marginKnots(const LeafRecipe& recipe, const FoldedHalf& half) {
   std::vector<MarginKnot> knots;
-  std::vector<MarginKnot> rays;  // those that lie on a crease from the petiole
+  std::vector<RayKnot> rays;
   for (std::size_t i = 0; i < half.creases().size(); ++i) {
     const LeafCrease& crease = half.creases()[i];
     knots.push_back(knotAt(crease.name, half.foldedEnd(i)));
-    if (crease.from == Vec2{0, 0}) rays.push_back(knots.back());
+    if (crease.from == Vec2{0, 0}) rays.push_back({i, knots.back()});
   }
-  if (Status status = checkFalling(rays); !status) return status.error();
+  if (Status status = checkFalling(half, rays); !status) return status.error();
   std::vector<MarginKnot> places;
-  const Vec2 base = half.creases().back().end;
-  const double baseAngle = angleDegrees(base.y, base.x);
+  const double baseAngle = flatAngle(half.creases().back());
   for (const LeafRay& place : recipe.margin) {
     const std::string name =
         "place of the margin at " + text(place.angle) + " degrees, " + text(place.length);

@@ -46,6 +46,21 @@ TEST(LeafCommand, ItsHelpNamesARecipeThatIsThere) {
   EXPECT_TRUE(std::filesystem::exists(KIRI_SOURCE_DIR "/" + path)) << path;
 }
 
+TEST(LeafCommand, WritesNoModelUnderTheNameOfAPicture) {
+  const Answer done = runKiri({"leaf", "-", "-o", "maple.png"}, {kMaple});
+  EXPECT_EQ(done.code, kBadUsage);
+  EXPECT_NE(done.err.find("kiri render makes pictures"), std::string::npos) << done.err;
+  EXPECT_FALSE(std::filesystem::exists("maple.png"));
+}
+
+TEST(LeafCommand, LengthsInMillimetresAreToldFromPartsOfTheMidVein) {
+  std::string text = kMaple;
+  text.replace(text.find("0.9"), 3, "90");
+  const Answer done = runKiri({"leaf", "-"}, {text});
+  EXPECT_EQ(done.code, kBadModel);
+  EXPECT_NE(done.err.find("lengths are parts of the mid-vein's"), std::string::npos) << done.err;
+}
+
 TEST(LeafCommand, ARecipeThatCannotWorkGetsASentence) {
   std::string text = kMaple;
   text.replace(text.find("42"), 2, "60");

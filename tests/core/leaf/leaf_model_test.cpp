@@ -241,8 +241,40 @@ TEST(LeafModel, AMarginThatMissesALayerIsRefusedWithTheRays) {
                 "no single margin cuts the secondary vein of the mid-lobe and the secondary "
                 "anti-vein of the mid-lobe so that they end in a tip and a sinus: between them it "
                 "would leave the paper between their creases at the second vein (folded it lies at "
-                "11.1 degrees, 0.785 from the petiole); change a length, "
-                "or the angles before them");
+                "11.1 degrees, 0.785 from the petiole); secondary lobes turn the end of the "
+                "mid-vein to 12 degrees: fold the second vein to about as much, or give its lobe "
+                "a pair that turns it alike");
+}
+
+TEST(LeafModel, RaysThatNoSingleMarginCutsAreRefusedWithARemedyThatWorks) {
+  LeafRecipe recipe;  // a grape leaf as measured
+  recipe.veins = {{51, .86}, {106, .63}};
+  recipe.antiVeins = {{36, .47}, {96, .45}};
+  recipe.base = {165, .3};
+  expectRefused(recipe,
+                "no single margin cuts both the first anti-vein (folded it lies at 36 degrees, "
+                "0.47 from the petiole) and the third vein (folded it lies at 56 degrees, 0.63 "
+                "from the petiole): it must come nearer to the petiole from one to the next; give "
+                "the third vein a length below 0.47, or the first anti-vein one above 0.63, or "
+                "move the second anti-vein inward, to less than 86 degrees");
+  recipe.antiVeins[1].angle = 85.5;
+  EXPECT_TRUE(leafModelOf(recipe));
+  recipe.antiVeins[1].angle = 96;
+  recipe.veins[1].length = .46;
+  EXPECT_TRUE(leafModelOf(recipe)) << leafModelOf(recipe).error().message;
+}
+
+TEST(LeafModel, APairThatTurnsItsLobeAloneIsRefusedWithARemedyThatWorks) {
+  LeafRecipe recipe = sycamore();
+  recipe.secondary = {{0, .5, {22, .3}, {32, .36}}};
+  const Result<LeafModel> leaf = leafModelOf(recipe);
+  ASSERT_FALSE(leaf);
+  EXPECT_NE(leaf.error().message.find("turn the end of the mid-vein to 10 degrees"),
+            std::string::npos)
+      << leaf.error().message;
+  recipe.antiVeins = {{26, .58}, {74, .43}};  // folds the second vein to 10 degrees
+  recipe.veins[1].length = .5;
+  EXPECT_TRUE(leafModelOf(recipe)) << leafModelOf(recipe).error().message;
 }
 
 TEST(LeafModel, ATornPairWhoseCreasesMeetOthersOnTheSheetIsRefused) {
@@ -292,22 +324,41 @@ std::vector<LeafRay> marginOf(const LeafRecipe& recipe) {
   return margin;
 }
 
+/// How far a place of the recipe is from the margin on one side, in lengths of the mid-vein.
+double missOf(const std::vector<LeafRay>& margin, const LeafRay& place, int side) {
+  double nearest = 1;
+  for (const LeafRay& p : margin) {
+    const double across = (p.angle - side * place.angle) * std::numbers::pi / 180 * p.length;
+    nearest = std::min(nearest, std::hypot(across, p.length - place.length));
+  }
+  return nearest;
+}
+
+void expectPlaces(const LeafRecipe& recipe) {
+  const std::vector<LeafRay> margin = marginOf(recipe);
+  for (const LeafRay& place : recipe.margin) {
+    for (const int side : {1, -1}) {
+      EXPECT_LT(missOf(margin, place, side), 2e-4) << place.angle << " on side " << side;
+    }
+  }
+}
+
 TEST(LeafModel, ItsMarginPassesTheFurtherPlacesOnBothHalves) {
   LeafRecipe recipe = sycamore();
   // On the mid-lobe, which becomes narrower below than above, and beyond the last vein.
   recipe.margin = {{12, .8}, {9, .7}, {96, .5}};
-  const std::vector<LeafRay> margin = marginOf(recipe);
-  for (const LeafRay& place : recipe.margin) {
-    for (const int side : {1, -1}) {
-      double nearest = 1;
-      for (const LeafRay& p : margin) {
-        const double across = (p.angle - side * place.angle) * std::numbers::pi / 180 * p.length;
-        nearest = std::min(nearest, std::hypot(across, p.length - place.length));
-      }
-      EXPECT_LT(nearest, 2e-4) << place.angle << " on side " << side;
-    }
-  }
+  expectPlaces(recipe);
   expectRays(recipe);
+}
+
+TEST(LeafModel, ItsSheetHoldsABladeThatIsWiderThanItsVeinsReach) {
+  LeafRecipe fan;
+  fan.base = {66, .2};
+  fan.margin = {{20, .97}, {40, .94}, {55, .9}, {63, .8}};
+  expectPlaces(fan);
+  fan.base = {150, .2};
+  fan.margin = {{90, .95}, {120, .9}, {140, .85}};
+  expectPlaces(fan);
 }
 
 TEST(LeafModel, APlaceThatNoSingleMarginPassesIsRefusedWithTheRaysAndTheLengthsBetween) {
@@ -320,6 +371,12 @@ TEST(LeafModel, APlaceThatNoSingleMarginPassesIsRefusedWithTheRaysAndTheLengthsB
       "no single margin passes the place of the margin at 12 degrees, 0.95: folded it lies at "
       "12 degrees, between the second vein and the first anti-vein, and the margin falls from "
       "0.88 to 0.62 there; give it a length in between");
+  recipe.margin = {{24, .7}};
+  const Result<LeafModel> onSinus = leafModelOf(recipe);
+  ASSERT_FALSE(onSinus);
+  EXPECT_EQ(onSinus.error().message,
+            "no single margin passes the place of the margin at 24 degrees, 0.7: folded it lies on "
+            "the first anti-vein, which the margin meets at 0.62; leave it out");
   recipe.margin = {{12, .8}, {9, .8}};
   const Result<LeafModel> twice = leafModelOf(recipe);
   ASSERT_FALSE(twice);
