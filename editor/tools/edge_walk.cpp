@@ -91,7 +91,8 @@ class SeenBeside {
 }  // namespace
 
 std::vector<EdgeHit> edgesUnder(const FoldedState& state, const PaneMap& map, Vec2 pixels,
-                                double reach, const std::function<bool(EdgeId)>& isMeant) {
+                                double reach, const std::function<bool(EdgeId)>& isMeant,
+                                bool hiddenToo) {
   constexpr double kSamePlace = 0.75;
   constexpr std::size_t kMostLooks = 24;
   std::vector<Projected> near;
@@ -111,11 +112,11 @@ std::vector<EdgeHit> edgesUnder(const FoldedState& state, const PaneMap& map, Ve
   std::optional<Vec2> at;
   SeenBeside seen(state, map);
   for (const Projected& here : near) {
-    if (!at) {
+    if (!at && !hiddenToo) {
       if (seen.looks() > kMostLooks) break;
       if (!seen.has(here)) continue;
-      at = here.at;
     }
+    if (!at) at = here.at;
     if (distance(here.at, *at) > kSamePlace) break;
     const bool isKnown = std::any_of(hits.begin(), hits.end(),
                                      [&](const EdgeHit& h) { return h.edge == here.hit.edge; });

@@ -21,9 +21,10 @@ struct EdgeHit {
 
 /// The points of straight edges that are seen, nearest to the pointer: the nearest, and those that
 /// lie where it lies to the eye, in other layers or at its end. Only edges that `isMeant` says are
-/// looked at; edges under other paper are left out. `reach`: pixels.
+/// looked at; edges under other paper are left out, unless `hiddenToo`. `reach`: pixels.
 std::vector<EdgeHit> edgesUnder(const FoldedState& state, const PaneMap& map, Vec2 pixels,
-                                double reach, const std::function<bool(EdgeId)>& isMeant);
+                                double reach, const std::function<bool(EdgeId)>& isMeant,
+                                bool hiddenToo = false);
 
 /// The hinges of a state as a graph of its vertices; distances are lengths on the paper.
 class HingeGraph {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "editor/snap/fold_ends.h"
 #include "editor/tools/drawn_line.h"
@@ -32,16 +33,22 @@ struct Aim {
   Marks caught;
 };
 
-/// Of edges that lie on each other the one is meant that the tear comes to first.
+/// Of edges that lie on each other the one is meant that the tear comes to first. Where no edge is
+/// seen within `near` pixels, one is meant that is led along under other paper.
 std::optional<EdgeHit> nearestReached(const FoldedState& state, const PaneMap& map, Vec2 pixels,
-                                      const HingeGraph::Ways& ways) {
+                                      double near, const HingeGraph::Ways& ways) {
   const auto isReached = [&](EdgeId e) {
     const Edge& edge = state.pattern[e];
     return edge.kind == EdgeKind::Hinge && std::isfinite(ways.far[edge.from.index]);
   };
+  std::vector<EdgeHit> hits = edgesUnder(state, map, pixels, HUGE_VAL, isReached);
+  if (hits.empty() || hits.front().pixels > 2 * near) {
+    std::vector<EdgeHit> hidden = edgesUnder(state, map, pixels, near, isReached, true);
+    if (!hidden.empty()) hits = std::move(hidden);
+  }
   std::optional<EdgeHit> best;
   double least = 0;
-  for (const EdgeHit& hit : edgesUnder(state, map, pixels, HUGE_VAL, isReached)) {
+  for (const EdgeHit& hit : hits) {
     const Edge& edge = state.pattern[hit.edge];
     const double far = std::min(ways.far[edge.from.index], ways.far[edge.to.index]);
     if (best && far >= least) continue;
@@ -55,7 +62,7 @@ std::optional<Aim> aimOf(const PointerEvent& event, const Scope& scope,
                          const HingeGraph::Ways& ways) {
   const FoldedState& state = *scope.state;
   const PaneMap& map = scope.map(event.pane);
-  const auto hit = nearestReached(state, map, event.at, ways);
+  const auto hit = nearestReached(state, map, event.at, handleReach(event), ways);
   if (!hit) return std::nullopt;
   Aim aim{*hit, std::nullopt, {}};
   const Edge& edge = state.pattern[hit->edge];

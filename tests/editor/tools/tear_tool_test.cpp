@@ -123,6 +123,16 @@ TEST(TearTool, IsAimedAtWhereTheFoldsAfterItWillEnd) {
   EXPECT_NEAR(distance(tornTo(bird, {0, 90}, {0.3, 41}), {0, meeting}), 0, 1e-9);
 }
 
+TEST(TearTool, FollowsAnEdgeUnderOtherPaperWhereNoneIsSeen) {
+  // The diagonal of the bird lies under the edges that were folded to it.
+  ToolDriver hand(ToolId::Tear, exampleOf("origami_bird").after(12));
+  hand.snaps.isOn = false;
+  hand.drag({100, 0}, {24, 0});
+  const std::vector<Vec2> points = tearOf(hand.step()).path.points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(distance(points[1], {24, 0}), 0, 1e-6);
+}
+
 TEST(TearTool, TurnsCornersAndGoesBackWithTheHand) {
   ToolDriver hand(ToolId::Tear, kCross);
   hand.hover({50, 0});
