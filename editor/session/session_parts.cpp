@@ -161,6 +161,7 @@ void Session::Parts::ended(Result<History> next, const Phrase& what, bool isComm
   }
   const std::size_t collisionsBefore = document.state()->collisions.size();
   document.become(std::move(*next), what);
+  if (isCommit) useUpSelection();
   documentChanged();
   const std::vector<Collision>& all = document.state()->collisions;
   if (all.size() > collisionsBefore) {
@@ -170,6 +171,18 @@ void Session::Parts::ended(Result<History> next, const Phrase& what, bool isComm
     say(Notice::Kind::Done, {});
   }
   tell();
+}
+
+/// What said which layers fold, and which side, said it for this fold: the next one may be
+/// elsewhere, and what is selected under other paper.
+void Session::Parts::useUpSelection() {
+  const std::size_t count = document.cursor();
+  if (count == 0) return;
+  const Step& made = document.model().steps[count - 1];
+  if (!std::holds_alternative<FoldStep>(made.action)) return;
+  const bool hadFacets = selection.drop(SelectedKind::Facet);
+  const bool hadPoints = selection.drop(SelectedKind::Point);
+  if (hadFacets || hadPoints) changed.selection = true;
 }
 
 void Session::Parts::say(Notice::Kind kind, Phrase text, std::string why, Witness where) {

@@ -69,6 +69,7 @@ struct Session::Parts {
   /// The eyes step back when paper that was wholly in sight no longer is.
   void keepInSight(const FoldedState& state);
   void ask(Change change, const Phrase& what, bool isCommit);
+  void useUpSelection();
   void ended(Result<History> next, const Phrase& what, bool isCommit);
   void say(Notice::Kind kind, Phrase text, std::string why = {}, Witness where = {});
   void dropGesture();

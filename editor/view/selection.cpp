@@ -15,6 +15,14 @@ void Selection::toggle(const Selected& item) {
   }
 }
 
+bool Selection::drop(SelectedKind kind) {
+  const auto isOfKind = [kind](const Selected& item) { return item.kind == kind; };
+  const auto kept = std::remove_if(items_.begin(), items_.end(), isOfKind);
+  const bool wasThere = kept != items_.end();
+  items_.erase(kept, items_.end());
+  return wasThere;
+}
+
 std::vector<Vec2> Selection::placesOf(SelectedKind kind) const {
   std::vector<Vec2> places;
   for (const Selected& item : items_) {

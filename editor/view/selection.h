@@ -30,6 +30,8 @@ class Selection {
   /// Adds what is not there and takes away what is.
   void toggle(const Selected& item);
   void set(std::vector<Selected> items) { items_ = std::move(items); }
+  /// Takes away all of one kind. True when there was any.
+  bool drop(SelectedKind kind);
   /// Places of one kind.
   std::vector<Vec2> placesOf(SelectedKind kind) const;
   /// The last picked line, which mirrors mirror in.

@@ -274,6 +274,21 @@ TEST(Session, WhoHasComeNearStaysNear) {
   EXPECT_NEAR(hand.map().pixelsPerMm, scale, 1e-9);
 }
 
+TEST(Session, WhatIsSelectedSaysTheLayersOfOneFold) {
+  DirectRunner runner;
+  Hand hand(runner);
+  hand.open("square 100; fold A valley 50,0 50,100 left");
+  hand.session.setTool(ToolId::Select);
+  hand.click({75, 30});
+  ASSERT_FALSE(hand.session.selection().isEmpty());
+  hand.session.setTool(ToolId::Fold);
+  hand.drag({99.5, 99.5}, {75, 75});
+  EXPECT_FALSE(hand.session.selection().isEmpty()) << "it counts as long as the fold is drawn";
+  hand.key(Key::Enter);
+  ASSERT_EQ(hand.stepCount(), 2U) << hand.session.notice().why;
+  EXPECT_TRUE(hand.session.selection().isEmpty()) << "the next fold may be elsewhere";
+}
+
 TEST(Session, AnotherModelLeavesNothingOfTheFirst) {
   DirectRunner runner;
   Hand hand(runner);
