@@ -162,38 +162,63 @@ bool isHeld(const FoldedState& state, std::size_t before) {
       [](const Collision& collision) { return collision.moment == CollisionMoment::Hinge; });
 }
 
+/// A line that was moved, or could not be.
+struct Attempt {
+  Result<FoldedState> next;
+  Movements made;
+
+  bool isFree(const FoldedState& before) const {
+    return next && next->collisions.size() == before.collisions.size();
+  }
+};
+
 /// One of several lines. What other folds turned over moves only where that is free: the lines that
 /// would turn it back may come later.
-Result<FoldedState> movedNext(const FoldedState& state, const Wanted& wanted, bool isOnly,
-                              Movements& made) {
-  if (isOnly) return setAmount(state, wanted.first, wanted.second, &made);
+Attempt attempt(const FoldedState& state, const Wanted& wanted, bool isOnly) {
+  Movements made;
+  if (isOnly) {
+    Result<FoldedState> next = setAmount(state, wanted.first, wanted.second, &made);
+    return {std::move(next), std::move(made)};
+  }
   Result<FoldedState> next = setAmountFollowed(state, wanted.first, wanted.second, &made);
-  if (next || next.error().code != ErrorCode::Locked) return next;
+  if (next || next.error().code != ErrorCode::Locked) return {std::move(next), std::move(made)};
   Result<FoldedState> over = setAmountTurnedOver(state, wanted.first, wanted.second, &made);
-  const bool isFree = over && over->collisions.size() == state.collisions.size();
-  return isFree ? std::move(over) : std::move(next);
+  Attempt turned{std::move(over), std::move(made)};
+  return turned.isFree(state) ? std::move(turned) : Attempt{std::move(next), {}};
 }
 
+/// In which order lines move one after the other.
+struct OrderRule {
+  bool mayWait = false;         ///< one that is not free waits for one that is
+  bool stopsWhereHeld = false;  ///< before a crease turns through itself
+};
+
 InOrder moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
-                    bool stopsWhereHeld, Movements* record, const Progress& progress) {
-  InOrder way{start, {}, {}};
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    way.left.assign(wanted.begin() + static_cast<std::ptrdiff_t>(i), wanted.end());
-    if (!goesOn(progress, static_cast<double>(i) / static_cast<double>(wanted.size()))) {
+                    const OrderRule& rule, Movements* record, const Progress& progress) {
+  InOrder way{start, wanted, {}};
+  const auto all = static_cast<double>(wanted.size());
+  while (!way.left.empty()) {
+    if (!goesOn(progress, 1 - static_cast<double>(way.left.size()) / all)) {
       way.why = cancelled();
       return way;
     }
-    Movements made;
-    Result<FoldedState> next = movedNext(way.state, wanted[i], wanted.size() == 1, made);
-    if (!next) {
-      way.why = next.error();
+    std::size_t place = 0;
+    Attempt taken = attempt(way.state, way.left.front(), wanted.size() == 1);
+    for (std::size_t i = 1; rule.mayWait && i < way.left.size() && !taken.isFree(way.state); ++i) {
+      Attempt other = attempt(way.state, way.left[i], false);
+      if (!other.isFree(way.state)) continue;
+      taken = std::move(other);
+      place = i;
+    }
+    if (!taken.next) {
+      way.why = taken.next.error();
       return way;
     }
-    if (stopsWhereHeld && isHeld(*next, way.state.collisions.size())) return way;
-    way.state = std::move(*next);
-    if (record != nullptr) record->insert(record->end(), made.begin(), made.end());
+    if (rule.stopsWhereHeld && isHeld(*taken.next, way.state.collisions.size())) return way;
+    way.state = std::move(*taken.next);
+    if (record != nullptr) record->insert(record->end(), taken.made.begin(), taken.made.end());
+    way.left.erase(way.left.begin() + static_cast<std::ptrdiff_t>(place));
   }
-  way.left.clear();
   return way;
 }
 
@@ -223,7 +248,7 @@ Moved movedInAnyOrder(const FoldedState& start, const std::vector<Wanted>& wante
 Moved movedInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
                    const Progress& progress, bool isRecorded) {
   Movements way;
-  InOrder in = moveInOrder(start, wanted, false, isRecorded ? &way : nullptr, progress);
+  InOrder in = moveInOrder(start, wanted, {}, isRecorded ? &way : nullptr, progress);
   if (in.why) return {*in.why, {}};
   return {std::move(in.state), std::move(way)};
 }
@@ -239,14 +264,15 @@ Result<FoldedState> moveTogether(const FoldedState& start, const std::vector<Wan
   const auto isStopped = [&] { return !best.end && best.end.error().code == ErrorCode::Cancelled; };
   if (isStopped() || (best.isFree(start) && !isRecorded)) return best.end;
   const bool isFree = best.isFree(start);
+  const Progress still = [&progress](double) { return goesOn(progress, 1); };
   const std::shared_ptr<const RigidPath> path = pathFor(start, wanted);
   if (!isFree && path != nullptr) best.improve({endOf(start, path, wanted), {}});
   if (!best.isFree(start)) {
-    Moved inOrder = movedInOrder(start, wanted, progress, isRecorded);
+    Moved inOrder = movedInOrder(start, wanted, still, isRecorded);
     if (best.end || inOrder.isFree(start)) best.improve(std::move(inOrder));
   }
   if (!best.end) {
-    Moved over = movedInAnyOrder(start, wanted, progress, isRecorded, setAmountTurnedOver);
+    Moved over = movedInAnyOrder(start, wanted, still, isRecorded, setAmountTurnedOver);
     if (over.isFree(start)) best = std::move(over);
   }
   if (!goesOn(progress, 1)) return cancelled();
@@ -290,8 +316,10 @@ Result<FoldedState> openTogether(const FoldedState& start, const std::vector<Wan
 /// since, hold each other: where nothing else is folded any more, they open at once, the paper
 /// bending rather than passing through itself.
 Result<FoldedState> openInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
-                                bool isAll, Movements* record, const Progress& progress) {
-  InOrder way = moveInOrder(start, wanted, isAll, record, progress);
+                                const OrderRule& rule, Movements* record,
+                                const Progress& progress) {
+  const bool isAll = rule.stopsWhereHeld;
+  InOrder way = moveInOrder(start, wanted, rule, record, progress);
   if (way.left.empty()) return std::move(way.state);
   if (way.why && way.why->code == ErrorCode::Cancelled) return *way.why;
   if (!isAll) return refused(start, wanted, *way.why, progress);
@@ -311,8 +339,9 @@ Result<FoldedState> unfoldLines(const FoldedState& state, std::vector<FoldLineId
   std::reverse(lines.begin(), lines.end());
   const std::vector<Wanted> wanted = wantedOf(state, lines, true);
   const bool isAll = areAllFolded(state, lines);
-  return motion == GroupMotion::InOrder ? openInOrder(state, wanted, isAll, record, progress)
-                                        : openTogether(state, wanted, isAll, record, progress);
+  if (motion == GroupMotion::Together) return openTogether(state, wanted, isAll, record, progress);
+  const OrderRule rule{motion == GroupMotion::InFreeOrder, isAll};
+  return openInOrder(state, wanted, rule, record, progress);
 }
 
 Result<FoldedState> unfoldOneByOne(const FoldedState& state, std::vector<FoldLineId> lines,
@@ -325,7 +354,7 @@ Result<FoldedState> refoldLines(const FoldedState& state, const std::vector<Fold
                                 GroupMotion motion, Movements* record, const Progress& progress) {
   const std::vector<Wanted> wanted = wantedOf(state, lines, false);
   if (motion == GroupMotion::Together) return moveTogether(state, wanted, record, progress);
-  InOrder way = moveInOrder(state, wanted, false, record, progress);
+  InOrder way = moveInOrder(state, wanted, {}, record, progress);
   if (way.why) return refused(state, wanted, *way.why, progress);
   return std::move(way.state);
 }

@@ -13,8 +13,10 @@ namespace kiri {
 
 /// How a group of fold lines moves.
 enum class GroupMotion {
-  InOrder,  ///< one by one; the first that cannot move is an error, but when all that is folded
-            ///< opens: then those that are left open at once
+  InOrder,      ///< one by one; the first that cannot move is an error, but when all that is folded
+                ///< opens: then those that are left open at once
+  InFreeOrder,  ///< the same, but a line that is not free to open waits for those that are: what
+                ///< was closed over other folds again opens before them
   Together  ///< at once, as leaves open. How they come to lie is that of turning them one by one in
             ///< an order that works, free of collision before colliding; where creases form closed
             ///< loops that no such order opens, that of the motion itself

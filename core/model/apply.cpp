@@ -13,8 +13,10 @@
 namespace kiri {
 namespace {
 
-GroupMotion motionOf(Sequence sequence) {
-  return sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InOrder;
+/// All folds have no order that a person gave.
+GroupMotion motionOf(Sequence sequence, const std::vector<FoldLineName>& lines) {
+  if (sequence == Sequence::Together) return GroupMotion::Together;
+  return lines.empty() ? GroupMotion::InFreeOrder : GroupMotion::InOrder;
 }
 
 /// One function for each kind of step.
@@ -44,13 +46,13 @@ class Applying {
   Result<FoldedState> operator()(const UnfoldStep& step) const {
     const Result<std::vector<FoldLineId>> lines = lineGroup(state_, step.lines);
     if (!lines) return lines.error();
-    return unfoldLines(state_, *lines, motionOf(step.sequence), record_);
+    return unfoldLines(state_, *lines, motionOf(step.sequence, step.lines), record_);
   }
 
   Result<FoldedState> operator()(const RefoldStep& step) const {
     const Result<std::vector<FoldLineId>> lines = lineGroup(state_, step.lines);
     if (!lines) return lines.error();
-    return refoldLines(state_, *lines, motionOf(step.sequence), record_);
+    return refoldLines(state_, *lines, motionOf(step.sequence, step.lines), record_);
   }
 
   Result<FoldedState> operator()(const TearStep& step) const {

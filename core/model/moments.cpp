@@ -30,16 +30,18 @@ std::size_t foldedLines(const FoldedState& state) {
   return lines.size();
 }
 
+bool endsOpen(const Movements& way) { return !way.empty() && foldedLines(stateAlong(way, 1)) == 0; }
+
 /// The way from the folded model to the sheet; none where the paper would have to bend.
 Movements wayOpen(const Model& model, const Timeline& timeline, std::size_t folded) {
-  if (folded < model.steps.size() && !timeline.movementsOf(folded).empty()) {
+  if (folded < model.steps.size() && endsOpen(timeline.movementsOf(folded))) {
     return timeline.movementsOf(folded);
   }
   for (const Sequence sequence : {model.opening, Sequence::InOrder}) {
     Movements movements;
     const Step unfold{UnfoldStep{{}, sequence}, "", "", ""};
     const int number = static_cast<int>(folded) + 1;
-    if (apply(timeline.stateAfter(folded), unfold, number, &movements) && !movements.empty()) {
+    if (apply(timeline.stateAfter(folded), unfold, number, &movements) && endsOpen(movements)) {
       return movements;
     }
   }

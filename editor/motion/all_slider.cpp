@@ -67,7 +67,7 @@ Result<AllSlider> AllSlider::prepare(const FoldedState& state, Sequence sequence
   if (lines.empty())
     return Error{ErrorCode::NothingToDo, "there is no fold to open; fold the paper first", {}};
   const GroupMotion motion =
-      sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InOrder;
+      sequence == Sequence::Together ? GroupMotion::Together : GroupMotion::InFreeOrder;
   Movements opening;
   Movements closing;
   const auto half = [&progress](double from) {

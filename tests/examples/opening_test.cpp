@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/model/apply.h"
+#include "core/model/moments.h"
 #include "tests/examples/example_models.h"
 #include "tests/support/state_check.h"
 
@@ -26,6 +27,13 @@ TEST_P(EveryOpening, EndsWithFlatPaper) {
 }
 
 KIRI_FOR_EVERY_EXAMPLE(EveryOpening);
+
+/// The bird base does not open with stiff facets: only its wings would be seen half open.
+TEST(Crane, IsNotSaidToBeHalfUnfoldedWhereItsPaperMustBend) {
+  const Model& crane = exampleModel("origami_crane").model;
+  const Moments moments = momentsOf(crane, Timeline::of(crane).value());
+  EXPECT_EQ(moments.halfWay, HalfWay::LastFold);
+}
 
 }  // namespace
 }  // namespace kiri::test

@@ -82,5 +82,19 @@ TEST(UnfoldInOrder, OfAllThatIsFoldedAlwaysOpens) {
   for (const char* name : {"corner", "half", "across"}) EXPECT_DOUBLE_EQ(amountOf(open, name), 0);
 }
 
+/// The half is made first, opened for folds of one layer each, and closed over them again.
+const char* const kClosedAgain =
+    "square 100; fold half valley 50,0 50,100 left; unfold half;"
+    "fold left valley 0,30 30,0 to 5,5; fold right valley 100,30 70,0 to 95,5; refold half";
+
+TEST(UnfoldInOrder, OpensFirstWhatWasClosedOverOtherFolds) {
+  const FoldedState folded = run(kClosedAgain);
+  EXPECT_TRUE(isClean(folded));
+  const FoldedState open = after(folded, "unfold all");
+  EXPECT_TRUE(isClean(open));
+  for (const char* name : {"half", "left", "right"}) EXPECT_DOUBLE_EQ(amountOf(open, name), 0);
+  EXPECT_FALSE(after(folded, "unfold half left right").collisions.empty()) << "as it was told";
+}
+
 }  // namespace
 }  // namespace kiri::test
