@@ -33,7 +33,7 @@ Result<std::shared_ptr<const FoldedState>> foldedStateOf(Console& console,
   const std::size_t count = model.model.steps.size();
   const Result<Replay> replay = replayFirst(console, model, count);
   if (!replay.isOk()) return replay.error();
-  const auto last = stateAfter(console, model, *replay, count);
+  auto last = stateAfter(console, model, *replay, count);
   if (!last.isOk()) return last;
   const StateAfter stateAt = [&](std::size_t i) -> const FoldedState& {
     return i == 0 ? *replay->start : *replay->outcomes[i - 1].state;
