@@ -1,11 +1,13 @@
 // kiri leaf: a leaf model from a recipe of angles and lengths.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/model_input.h"
@@ -107,6 +109,43 @@ int showLaw(Console& console, const std::string& name, const LeafModel& leaf, do
   return kDone;
 }
 
+/// Where the ends of the creases lie in the folded leaf, in the order in which one margin would
+/// have to meet them: what to look at when none can.
+std::string foldedTable(const FoldedHalf& half) {
+  struct Row {
+    std::string name;
+    Vec2 end;
+  };
+  std::vector<Row> rows;
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < half.creases().size(); ++i) {
+    const std::string& name = half.creases()[i].name;
+    // The creases of a pair on a side lobe lie on each other.
+    const auto isThis = [&](const Row& row) { return row.name == name; };
+    if (std::any_of(rows.begin(), rows.end(), isThis)) continue;
+    rows.push_back({name, half.foldedEnd(i)});
+    wide = std::max(wide, name.size());
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return length(a.end) > length(b.end); });
+  std::string out = "Folded, the creases end here; one margin must meet them in this order:\n" +
+                    std::string(wide, ' ') + "    angle   length\n";
+  for (const Row& row : rows) {
+    out += row.name + std::string(wide - row.name.size(), ' ') +
+           cell(angleDegrees(row.end.y, row.end.x), 2) + cell(length(row.end), 3) + '\n';
+  }
+  return out;
+}
+
+/// Says why no leaf can be made; without a file to write, also where its creases lie folded.
+int refuse(Console& console, const std::string& name, const LeafRecipe& recipe, const Error& error,
+           bool isListing) {
+  const int code = fail(console, ExitCode::kBadModel, name + ": " + error.message);
+  const Result<FoldedHalf> half = foldedHalfOf(recipe);
+  if (isListing && half) console.out << foldedTable(*half);
+  return code;
+}
+
 /// A leaf is written as a model; what else is made of it, other commands make.
 Status checkEnding(const std::string& out) {
   const std::string ending = endingOf(out);
@@ -127,7 +166,7 @@ int run(Console& console, const LeafOptions& options) {
   for (const std::string& warning : loaded->warnings) warn(console, warning);
   const Result<LeafModel> leaf = leafModelOf(loaded->recipe);
   if (!leaf) {
-    return fail(console, ExitCode::kBadModel, input->name + ": " + leaf.error().message);
+    return refuse(console, input->name, loaded->recipe, leaf.error(), options.out.empty());
   }
   if (options.out.empty()) return showLaw(console, input->name, *leaf, loaded->recipe.midVein);
   return writeResult(console, options.out, writeKiri(leaf->model));

@@ -46,6 +46,23 @@ TEST(LeafCommand, ItsHelpNamesARecipeThatIsThere) {
   EXPECT_TRUE(std::filesystem::exists(KIRI_SOURCE_DIR "/" + path)) << path;
 }
 
+TEST(LeafCommand, ALeafThatNoMarginCutsIsListedAsItLiesFolded) {
+  std::string text = kMaple;
+  text.replace(text.find("0.3"), 3, "0.7");
+  const Answer listed = runKiri({"leaf", "-"}, {text});
+  EXPECT_EQ(listed.code, kBadModel);
+  EXPECT_NE(listed.err.find("no single margin"), std::string::npos) << listed.err;
+  EXPECT_NE(listed.out.find("mid-vein            0.00    1.000\n"
+                            "second vein         6.00    0.900\n"
+                            "basal edge         82.00    0.700\n"
+                            "first anti-vein    24.00    0.600\n"),
+            std::string::npos)
+      << listed.out;
+  const Answer written = runKiri({"leaf", "-", "-o", "-"}, {text});
+  EXPECT_EQ(written.code, kBadModel);
+  EXPECT_EQ(written.out, "") << "a model or nothing";
+}
+
 TEST(LeafCommand, WritesNoModelUnderTheNameOfAPicture) {
   const Answer done = runKiri({"leaf", "-", "-o", "maple.png"}, {kMaple});
   EXPECT_EQ(done.code, kBadUsage);
