@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/text.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace kiri {
@@ -12,6 +13,12 @@ std::string text(double number) {
   return buffer;
 }
 
-std::string text(Vec2 point) { return "(" + text(point.x) + ", " + text(point.y) + ")"; }
+std::string text(Vec2 point) {
+  // Beside the other coordinate, so little is rounding.
+  constexpr double kTrifle = 1.0 / (1 << 30);
+  const double x = std::abs(point.x) <= kTrifle * std::abs(point.y) ? 0 : point.x;
+  const double y = std::abs(point.y) <= kTrifle * std::abs(point.x) ? 0 : point.y;
+  return "(" + text(x) + ", " + text(y) + ")";
+}
 
 }  // namespace kiri

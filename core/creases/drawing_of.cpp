@@ -1,5 +1,7 @@
 // A pattern as loose lines again.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "core/creases/repair.h"
 
 namespace kiri {
@@ -23,7 +25,7 @@ std::vector<Vec2> cornersOf(const CreasePattern& pattern, const Facet& facet) {
   for (std::size_t i = 0; i < end; ++i) {
     const EdgeUse use = facet.border[i];
     std::vector<Vec2> places = placesAlong(pattern, use.edge);
-    if (use.isReversed) places.assign(places.rbegin(), places.rend());
+    if (use.isReversed) std::reverse(places.begin(), places.end());
     corners.insert(corners.end(), places.begin(), places.end() - 1);
   }
   return corners;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/creases/repair.h"
 #include "core/model/apply.h"
 #include "core/model/replay.h"
 #include "core/model/timeline.h"
@@ -290,6 +291,18 @@ TEST(AsFolded, LeavesCreasesThatOnlyHelpedOnTheWayToAFoldedModelFlat) {
           "fold half valley 0,50 100,50 left");
   EXPECT_EQ(foldedCreases(folded), (std::vector<Assignment>{Assignment::Valley, Assignment::Valley,
                                                             Assignment::Flat, Assignment::Flat}));
+}
+
+TEST(DrawingOf, FacetsWithCurvedEdgesNeedsNoRepair) {
+  // Either half has the curve as a border; one of them runs along it backwards.
+  const FoldedState cut =
+      run("square 100; fold half valley 50,0 50,100 left;"
+          "curve @model 40,80 60,95 80,60 110,40 keep m:55,5; unfold all");
+  ASSERT_FALSE(cut.pattern.curves.empty());
+  const Result<RepairedPattern> pattern = patternOf(drawingOf(assignedPatternOf(cut)));
+  ASSERT_TRUE(pattern) << pattern.error().message;
+  for (const Repair& repair : pattern->repairs) ADD_FAILURE() << repair.message;
+  EXPECT_EQ(pattern->creases.pattern.facets.size(), cut.pattern.facets.size());
 }
 
 TEST(PatternModel, PartlyFoldedPatternsKeepTheirAngles) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/model/apply.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
@@ -115,6 +116,13 @@ TEST(Errors, PointAtThePaper) {
   const Result<FoldedState> missing = tryRun("square 100; fold valley 50,0 50,100 to 300,50");
   ASSERT_FALSE(missing.isOk());
   EXPECT_FALSE(missing.error().witness.points.empty());
+}
+
+TEST(Sentences, TellPlacesWithoutTheirRounding) {
+  EXPECT_EQ(text(Vec2{-1.85777e-14, -25}), "(0, -25)");
+  EXPECT_EQ(text(Vec2{52.125, 3e-16}), "(52.125, 0)");
+  EXPECT_EQ(text(Vec2{1e-5, 25}), "(1e-05, 25)");
+  EXPECT_EQ(text(Vec2{2e-15, 3e-15}), "(2e-15, 3e-15)");
 }
 
 }  // namespace
