@@ -147,8 +147,7 @@ Phrase AddEdgeTool::hint(const Scope& scope) const {
     return {KIRI_TEXT("editor/tools", "Release or click where the edge ends; Esc drops it"), {}};
   if (beyondDrawn(scope).empty()) return {KIRI_TEXT("editor/tools", "Enter adds the edge"), {}};
   return {KIRI_TEXT("editor/tools",
-                    "Enter adds the edge with the marked part beyond its ends, for it goes from "
-                    "edge to edge; a tear along it can be shorter"),
+                    "Enter adds the edge and the marked part: it goes from edge to edge"),
           {}};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/desktop/panels/status_line.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QStyle>
@@ -34,6 +35,7 @@ StatusLine::StatusLine(SessionHub& hub, PoolRunner* runner, QWidget* parent)
   setSizeGripEnabled(false);
   setContentsMargins(8, 0, 8, 0);
   hint_->setObjectName("hint");
+  hint_->installEventFilter(this);
   hint_->setMinimumWidth(80);
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   facts_->setObjectName("facts");
@@ -66,7 +68,7 @@ StatusLine::StatusLine(SessionHub& hub, PoolRunner* runner, QWidget* parent)
   refreshBusy();
 }
 
-QString StatusLine::hint() const { return hint_->text(); }
+QString StatusLine::hint() const { return said_; }
 QString StatusLine::facts() const { return facts_->text(); }
 
 void StatusLine::say(Notice::Kind kind, const QString& text) {
@@ -77,13 +79,23 @@ void StatusLine::say(Notice::Kind kind, const QString& text) {
   if (!name.isEmpty()) {
     sign_->setPixmap(icon(name).pixmap(QSize(kSign, kSign), devicePixelRatioF()));
   }
-  hint_->setText(text);
+  said_ = text;
+  fit();
   hint_->setToolTip(text);
   hint_->setProperty("fault", isRefusal);
   hint_->setProperty("warning", isWarning);
   hint_->style()->polish(hint_);
   isNoticeShown_ = kind != Notice::Kind::None;
   if (isNoticeShown_) fade_.start(isRefusal || isWarning ? kRefusalTime : kNoticeTime);
+}
+
+void StatusLine::fit() {
+  hint_->setText(hint_->fontMetrics().elidedText(said_, Qt::ElideRight, hint_->width()));
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == hint_ && event->type() == QEvent::Resize) fit();
+  return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::refresh() {

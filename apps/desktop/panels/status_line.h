@@ -27,7 +27,11 @@ class StatusLine final : public QStatusBar {
   /// and facts. Empty: the model is seen again.
   void setElsewhere(const QString& hint);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void fit();
   void refresh();
   void refreshBusy();
   void showFacts();
@@ -44,6 +48,7 @@ class StatusLine final : public QStatusBar {
   Phrase lastNotice_;
   std::string lastWhy_;
   QString elsewhere_;
+  QString said_;  ///< the whole sentence; in a small window its end may not be seen
   bool isNoticeShown_ = false;
 };
 

@@ -1109,8 +1109,8 @@
         <translation>Eingabe fügt die Kante hinzu</translation>
     </message>
     <message>
-        <source>Enter adds the edge with the marked part beyond its ends, for it goes from edge to edge; a tear along it can be shorter</source>
-        <translation>Eingabe fügt die Kante mit dem markierten Teil jenseits ihrer Enden hinzu, denn sie reicht von Kante zu Kante; ein Riss an ihr entlang kann kürzer sein</translation>
+        <source>Enter adds the edge and the marked part: it goes from edge to edge</source>
+        <translation>Eingabe fügt die Kante samt dem markierten Teil hinzu: sie reicht von Kante zu Kante</translation>
     </message>
 </context>
 <context>

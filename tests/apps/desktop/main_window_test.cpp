@@ -4,6 +4,7 @@
 
 #include <QAccessible>
 #include <QFile>
+#include <QLabel>
 #include <QMimeData>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -46,6 +47,19 @@ TEST_F(Window, TheFootSpeaksOfTheStartPageWhileItIsThere) {
   window->dialogs().showStartPage(false);
   EXPECT_EQ(window->statusLine().hint(), ofTheTool);
   EXPECT_EQ(window->statusLine().facts(), facts);
+}
+
+TEST_F(Window, ASentenceThatIsTooLongForTheFootEndsInDots) {
+  window->resize(1024, 700);
+  settle();
+  const QString sentence = QString("A sentence that goes on and on. ").repeated(20);
+  window->statusLine().say(Notice::Kind::Done, sentence);
+  settle();
+  const auto* shown = window->statusLine().findChild<QLabel*>("hint");
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(window->statusLine().hint(), sentence);
+  EXPECT_TRUE(shown->text().endsWith(QChar(0x2026))) << shown->text().toStdString();
+  EXPECT_LE(shown->fontMetrics().horizontalAdvance(shown->text()), shown->width());
 }
 
 TEST_F(Window, SaysWhichImageOfThePaperCannotBeRead) {
