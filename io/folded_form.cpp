@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/base/disjoint_sets.h"
+
 namespace kiri {
 
 namespace {
@@ -13,33 +15,27 @@ namespace {
 class Corners {
  public:
   explicit Corners(const FacetMesh& mesh) : mesh_(mesh) {
+    std::size_t count = 0;
     for (const MeshFace& face : mesh.faces) {
-      first_.push_back(static_cast<std::uint32_t>(parent_.size()));
-      for (std::size_t i = 0; i < face.vertices.size(); ++i) {
-        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-      }
+      first_.push_back(static_cast<std::uint32_t>(count));
+      count += face.vertices.size();
     }
+    united_ = DisjointSets(count);
     for (const MeshEdge& edge : mesh.edges) {
       if (edge.kind != MeshEdgeKind::Hinge && edge.kind != MeshEdgeKind::Join) continue;
-      unite(cornerOf(edge.left, edge.from), cornerOf(edge.right, edge.from));
-      unite(cornerOf(edge.left, edge.to), cornerOf(edge.right, edge.to));
+      united_.join(cornerOf(edge.left, edge.from), cornerOf(edge.right, edge.from));
+      united_.join(cornerOf(edge.left, edge.to), cornerOf(edge.right, edge.to));
     }
   }
 
   /// The corner that stands for all that are united with this one: the lowest of them.
-  std::uint32_t rootOf(std::uint32_t corner) {
-    while (parent_[corner] != corner) {
-      parent_[corner] = parent_[parent_[corner]];
-      corner = parent_[corner];
-    }
-    return corner;
-  }
+  std::uint32_t rootOf(std::uint32_t corner) { return united_.find(corner); }
 
   std::uint32_t rootAt(std::uint32_t face, std::uint32_t vertex) {
     return rootOf(cornerOf(face, vertex));
   }
   std::uint32_t firstOf(std::uint32_t face) const { return first_[face]; }
-  std::size_t count() const { return parent_.size(); }
+  std::size_t count() const { return united_.count(); }
 
  private:
   std::uint32_t cornerOf(std::uint32_t face, std::uint32_t vertex) const {
@@ -48,15 +44,9 @@ class Corners {
     return first_[face] + static_cast<std::uint32_t>(at - loop.begin());
   }
 
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = rootOf(a);
-    b = rootOf(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
   const FacetMesh& mesh_;
   std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets united_{0};
 };
 
 /// The edge as it borders one face, with the face on its left.

@@ -65,11 +65,7 @@ void addExportCommand(CLI::App& app, Console& console, int& code) {
       ->add_option("--format", options->format,
                    "fold, svg, obj, stl or glb (default: by the ending of OUT)")
       ->type_name("FORMAT");
-  command
-      ->add_option(
-          "--step", options->step,
-          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
-      ->type_name("N");
+  addStepOption(*command, options->step);
   command
       ->add_option(
           "--view", options->view,

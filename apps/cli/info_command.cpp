@@ -154,11 +154,7 @@ void addInfoCommand(CLI::App& app, Console& console, int& code) {
   CLI::App* command = app.add_subcommand("info", "Print the figures of the model after a step");
   const auto options = std::make_shared<InfoOptions>();
   command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
-  command
-      ->add_option(
-          "--step", options->step,
-          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
-      ->type_name("N");
+  addStepOption(*command, options->step);
   command->add_flag("--json", options->isJson, "one JSON object, for programs");
   command->footer(
       "Examples:\n"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/cli/model_input.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <utility>
 
@@ -42,6 +43,14 @@ Error withoutStep(Error error) {
 }
 
 }  // namespace
+
+void addStepOption(CLI::App& command, std::optional<double>& step) {
+  command
+      .add_option(
+          "--step", step,
+          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
+      ->type_name("N");
+}
 
 Result<StepChoice> chooseStep(const ModelInput& input, const std::optional<double>& step) {
   const std::size_t count = input.model.steps.size();

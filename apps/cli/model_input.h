@@ -12,6 +12,10 @@
 #include "core/model/replay.h"
 #include "core/paper/folded_state.h"
 
+namespace CLI {
+class App;
+}
+
 namespace kiri::cli {
 
 struct ModelInput {
@@ -33,6 +37,9 @@ struct StepChoice {
 
   double number() const { return static_cast<double>(done) + part; }
 };
+
+/// Adds --step.
+void addStepOption(CLI::App& command, std::optional<double>& step);
 
 /// The moment that --step means: 2.5 is half way through the third step. The end by default.
 /// Errors: BadValue - there are not that many steps.

@@ -100,11 +100,7 @@ void addRenderCommand(CLI::App& app, Console& console, int& code) {
   CLI::App* command = app.add_subcommand("render", "Draw the model after a step, in true size");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("MODEL", options->model, "a .kiri file, - for standard input")->required();
-  command
-      ->add_option(
-          "--step", options->step,
-          "after this many steps; 0: the sheet, 2.5: half way through the third (default: all)")
-      ->type_name("N");
+  addStepOption(*command, options->step);
   addViewOptions(*command, options->view, kPattern);
   command->add_option("--margin", options->margin, "mm around the model (default 5)")
       ->type_name("MM");

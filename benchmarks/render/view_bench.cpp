@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/paper/loose_facet.h"
 #include "render/scene/model_scene.h"
 #include "render/visibility/plane_regions.h"
 #include "render/visibility/visible_regions.h"
@@ -25,7 +26,6 @@ FoldedState corrugated(std::size_t n) {
   };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
-      const FacetId id(state.pattern.facets.size());
       const Vec3 origin = corner(i, j);
       const Vec3 along = corner(i + 1, j) - origin;
       const Vec3 across = corner(i, j + 1) - origin;
@@ -37,18 +37,7 @@ FoldedState corrugated(std::size_t n) {
       const Vec2 u{length(along), 0};
       const Vec2 v{dot(across, pose.x), dot(across, pose.y)};
       const Vec2 corners[] = {{0, 0}, u, u + v, v};
-      const std::size_t first = state.pattern.vertices.size();
-      Facet facet;
-      for (std::size_t k = 0; k < 4; ++k) {
-        state.pattern.vertices.push_back(corners[k]);
-        Edge edge;
-        edge.from = VertexId(first + k);
-        edge.to = VertexId(first + (k + 1) % 4);
-        edge.left = id;
-        facet.border.push_back({EdgeId(state.pattern.edges.size()), false});
-        state.pattern.edges.push_back(edge);
-      }
-      state.pattern.facets.push_back(std::move(facet));
+      const FacetId id = addLooseFacet(state.pattern, corners);
       state.poses.push_back(pose);
       sets.push_back({pose.normal(), {id}, {}});
     }

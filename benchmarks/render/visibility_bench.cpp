@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/paper/folded_state.h"
+#include "core/paper/loose_facet.h"
 #include "render/visibility/visible_regions.h"
 
 namespace kiri {
@@ -21,22 +22,10 @@ enum class Lie {
 };
 
 void addCell(CreasePattern& pattern, double side, std::size_t i, std::size_t j) {
-  const FacetId id(pattern.facets.size());
   const double x = side * static_cast<double>(i);
   const double y = side * static_cast<double>(j);
   const Vec2 corners[] = {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
-  const std::size_t v = pattern.vertices.size();
-  Facet facet;
-  for (std::size_t k = 0; k < 4; ++k) {
-    pattern.vertices.push_back(corners[k]);
-    Edge edge;
-    edge.from = VertexId(v + k);
-    edge.to = VertexId(v + (k + 1) % 4);
-    edge.left = id;
-    facet.border.push_back({EdgeId(pattern.edges.size()), false});
-    pattern.edges.push_back(edge);
-  }
-  pattern.facets.push_back(facet);
+  addLooseFacet(pattern, corners);
 }
 
 Rigid poseOfCell(Lie lie, double side, std::size_t i, std::size_t j, std::mt19937& random) {

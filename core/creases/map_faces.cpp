@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/disjoint_sets.h"
 #include "core/geometry/orientation.h"
 
 namespace kiri {
@@ -97,19 +98,11 @@ TracedLoops traceLoops(const HalfLines& halves, std::size_t count) {
 
 /// Lines that hang together, by point: the lowest point of the group.
 std::vector<std::uint32_t> groupsOf(const LineMap& map) {
-  std::vector<std::uint32_t> parent(map.points.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t p) {
-    while (parent[p] != p) p = parent[p] = parent[parent[p]];
-    return p;
-  };
-  for (const MapLine& line : map.lines) {
-    const std::uint32_t a = root(line.from);
-    const std::uint32_t b = root(line.to);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::uint32_t p = 0; p < parent.size(); ++p) parent[p] = root(p);
-  return parent;
+  DisjointSets joined(map.points.size());
+  for (const MapLine& line : map.lines) joined.join(line.from, line.to);
+  std::vector<std::uint32_t> groups(map.points.size());
+  for (std::uint32_t p = 0; p < groups.size(); ++p) groups[p] = joined.find(p);
+  return groups;
 }
 
 /// Which line lies nearest on the left of some points, for all of them in one sweep from below: the

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace kiri {
 namespace {
@@ -17,28 +18,9 @@ struct Placed {
   auto operator<=>(const Placed&) const = default;
 };
 
-class Joined {
- public:
-  explicit Joined(std::size_t count) : first_(count) {
-    std::iota(first_.begin(), first_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t a) {
-    while (first_[a] != a) a = first_[a] = first_[first_[a]];
-    return a;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    first_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> first_;
-};
-
 /// Joins the point with those of the squares from (column, row) to (column, lastRow).
 void joinNear(const std::vector<Placed>& placed, const Placed& self, Placed from, double lastRow,
-              const std::vector<Vec2>& points, double within, Joined& joined) {
+              const std::vector<Vec2>& points, double within, DisjointSets& joined) {
   auto it = std::lower_bound(placed.begin(), placed.end(), from);
   for (; it != placed.end() && it->column == from.column && it->row <= lastRow; ++it) {
     if (joined.find(it->point) == joined.find(self.point)) continue;
@@ -56,7 +38,7 @@ Clusters clustersOf(const std::vector<Vec2>& points, double within) {
     placed.push_back({std::floor(points[i].x / within), std::floor(points[i].y / within),
                       static_cast<std::uint32_t>(i)});
   std::sort(placed.begin(), placed.end());
-  Joined joined(points.size());
+  DisjointSets joined(points.size());
   for (const Placed& p : placed) {
     joinNear(placed, p, {p.column, p.row, p.point}, p.row + 1, points, within, joined);
     joinNear(placed, p, {p.column + 1, p.row - 1, 0}, p.row + 1, points, within, joined);

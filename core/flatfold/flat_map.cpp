@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/text.h"
 #include "core/flatfold/vertex_fan.h"
 
@@ -34,27 +34,6 @@ FlatPose poseAcross(const FlatPose& pose, Vec2 from, Vec2 to, bool isFolded) {
   across.isFlipped = !pose.isFlipped;
   return across;
 }
-
-class Forest {
- public:
-  explicit Forest(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  bool join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return false;
-    parent_[std::max(a, b)] = std::min(a, b);
-    return true;
-  }
-
- private:
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  std::vector<std::uint32_t> parent_;
-};
 
 std::vector<EdgeId> hingesByLength(const CreasePattern& pattern) {
   std::vector<std::pair<double, EdgeId>> hinges;
@@ -89,7 +68,7 @@ class Placing {
  public:
   explicit Placing(const AssignedPattern& creases)
       : creases_(creases), pattern_(creases.pattern), next_(pattern_.facets.size()) {
-    Forest joined(pattern_.facets.size());
+    DisjointSets joined(pattern_.facets.size());
     for (const EdgeId e : hingesByLength(pattern_)) {
       const Edge& edge = pattern_[e];
       if (!joined.join(edge.left.index, edge.right.index)) continue;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/flatfold/folded_lines.h"
 
-#include <numeric>
+#include "core/base/disjoint_sets.h"
 
 namespace kiri {
 namespace {
@@ -15,8 +15,7 @@ class Corners {
       : pattern_(creases.pattern), map_(map), firstCorner_{0} {
     for (const Facet& facet : pattern_.facets)
       firstCorner_.push_back(firstCorner_.back() + static_cast<std::uint32_t>(facet.border.size()));
-    parent_.resize(firstCorner_.back());
-    std::iota(parent_.begin(), parent_.end(), 0U);
+    joined_ = DisjointSets(firstCorner_.back());
     uses_.assign(pattern_.edges.size(), {kNoPoint, kNoPoint, kNoPoint, kNoPoint});
     for (std::size_t f = 0; f < pattern_.facets.size(); ++f) noteUses(f);
     joinAtHinges();
@@ -70,30 +69,20 @@ class Corners {
   void joinAtHinges() {
     for (std::size_t e = 0; e < pattern_.edges.size(); ++e) {
       if (pattern_.edges[e].kind != EdgeKind::Hinge) continue;
-      join(uses_[e][0], uses_[e][2]);
-      join(uses_[e][1], uses_[e][3]);
+      joined_.join(uses_[e][0], uses_[e][2]);
+      joined_.join(uses_[e][1], uses_[e][3]);
     }
   }
 
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
   void placePoints(FoldedLines& made) {
-    pointOf_.assign(parent_.size(), kNoPoint);
+    pointOf_.assign(joined_.count(), kNoPoint);
     std::vector<double> counts;
     for (std::size_t f = 0; f < pattern_.facets.size(); ++f) {
       const Facet& facet = pattern_.facets[f];
       for (std::size_t i = 0; i < facet.border.size(); ++i) {
         const auto corner = static_cast<std::uint32_t>(firstCorner_[f] + i);
         const Vec2 place = map_.poses[f].apply(pattern_[startOf(pattern_, facet.border[i])]);
-        const std::uint32_t root = find(corner);
+        const std::uint32_t root = joined_.find(corner);
         if (root == corner) {
           pointOf_[corner] = static_cast<std::uint32_t>(made.points.size());
           made.points.push_back(place);
@@ -128,7 +117,7 @@ class Corners {
   const CreasePattern& pattern_;
   const FlatMap& map_;
   std::vector<std::uint32_t> firstCorner_;  ///< by facet, into the corners of all facets
-  std::vector<std::uint32_t> parent_;
+  DisjointSets joined_{0};
   std::vector<std::array<std::uint32_t, 4>> uses_;
   std::vector<std::uint32_t> pointOf_;  ///< by corner
 };

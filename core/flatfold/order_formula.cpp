@@ -2,8 +2,9 @@
 #include "core/flatfold/order_formula.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
+
+#include "core/base/disjoint_sets.h"
 
 namespace kiri {
 
@@ -45,17 +46,11 @@ std::optional<Clause> whatIsLeft(const Clause& clause, const std::vector<std::ui
   return left;
 }
 
-std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t u) {
-  while (parents[u] != u) u = parents[u] = parents[parents[u]];
-  return u;
-}
-
 }  // namespace
 
 std::vector<FormulaPart> partsOf(const OrderFormula& formula,
                                  const std::vector<std::uint8_t>& values) {
-  std::vector<std::uint32_t> parents(formula.unknowns);
-  std::iota(parents.begin(), parents.end(), 0U);
+  DisjointSets joined(formula.unknowns);
   std::vector<Clause> clauses;
   for (const Clause& clause : formula.clauses) {
     const std::optional<Clause> left = whatIsLeft(clause, values);
@@ -63,9 +58,7 @@ std::vector<FormulaPart> partsOf(const OrderFormula& formula,
     clauses.push_back(*left);
     for (const Term t : *left) {
       if (t == kNoTerm) break;
-      const std::uint32_t a = rootOf(parents, unknownOf((*left)[0]));
-      const std::uint32_t b = rootOf(parents, unknownOf(t));
-      parents[std::max(a, b)] = std::min(a, b);
+      joined.join(unknownOf((*left)[0]), unknownOf(t));
     }
   }
   std::vector<FormulaPart> parts;
@@ -73,7 +66,7 @@ std::vector<FormulaPart> partsOf(const OrderFormula& formula,
   std::vector<std::uint32_t> placeOf(formula.unknowns);
   for (std::uint32_t u = 0; u < formula.unknowns; ++u) {
     if (values[u] != kOpenValue) continue;
-    const std::uint32_t root = rootOf(parents, u);
+    const std::uint32_t root = joined.find(u);
     if (root == u) {
       partOf[u] = static_cast<std::uint32_t>(parts.size());
       parts.emplace_back();

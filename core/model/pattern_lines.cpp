@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace kiri {
 namespace {
@@ -13,8 +14,7 @@ namespace {
 class Runs {
  public:
   Runs(const CreasePattern& pattern, const std::vector<double>& targets)
-      : pattern_(pattern), targets_(targets), parent_(pattern.edges.size()) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+      : pattern_(pattern), targets_(targets), joined_(pattern.edges.size()) {
     std::vector<std::vector<std::size_t>> at(pattern.vertices.size());
     for (std::size_t e = 0; e < pattern.edges.size(); ++e) {
       if (pattern.edges[e].kind != EdgeKind::Hinge || targets[e] == 0) continue;
@@ -25,10 +25,7 @@ class Runs {
   }
 
   /// The lowest edge of the run.
-  std::size_t firstOf(std::size_t edge) const {
-    while (parent_[edge] != edge) edge = parent_[edge];
-    return edge;
-  }
+  std::size_t firstOf(std::size_t edge) { return joined_.find(static_cast<std::uint32_t>(edge)); }
 
  private:
   Vec2 farEnd(std::size_t edge, VertexId vertex) const {
@@ -51,16 +48,14 @@ class Runs {
     for (std::size_t i = 0; i < hinges.size(); ++i) {
       for (std::size_t k = i + 1; k < hinges.size(); ++k) {
         if (!goOn(vertex, hinges[i], hinges[k])) continue;
-        const std::size_t a = firstOf(hinges[i]);
-        const std::size_t b = firstOf(hinges[k]);
-        parent_[std::max(a, b)] = std::min(a, b);
+        joined_.join(static_cast<std::uint32_t>(hinges[i]), static_cast<std::uint32_t>(hinges[k]));
       }
     }
   }
 
   const CreasePattern& pattern_;
   const std::vector<double>& targets_;
-  std::vector<std::size_t> parent_;
+  DisjointSets joined_;
 };
 
 }  // namespace
@@ -68,7 +63,7 @@ class Runs {
 void makeFoldLines(FoldedState& state, const std::vector<double>& targets, FacetId resting,
                    const std::string& name) {
   CreasePattern& pattern = state.pattern;
-  const Runs runs(pattern, targets);
+  Runs runs(pattern, targets);
   const Vec2 still = interiorPointOf(pattern, resting);
   std::vector<FoldLineId> lineOf(pattern.edges.size());
   for (std::size_t e = 0; e < pattern.edges.size(); ++e) {

@@ -45,8 +45,8 @@ class FoldOffer {
   std::optional<FoldStep> step() const;
   /// The line as far as it goes; none when nothing is offered for this state.
   std::optional<FacetLine> segment(const FoldedState& state) const;
-  /// Paper that must come along is not taken.
-  bool hasMissing() const { return plan_ && !plan_->missing.empty(); }
+  /// Why the fold cannot be made as it is offered, and what to do; none where it can.
+  std::optional<Phrase> trouble(const Scope& scope) const;
   /// V, M, Tab, and K for the fan of layers; true when the key meant something.
   bool key(const KeyEvent& event, const Scope& scope);
   bool wheel(const WheelEvent& event, const Scope& scope);

@@ -178,4 +178,20 @@ std::vector<TintedFacet> FoldOffer::tints(const Scope& scope) const {
   return tints;
 }
 
+std::optional<Phrase> FoldOffer::trouble(const Scope& scope) const {
+  if (plan_ && !plan_->missing.empty()) {
+    return Phrase{KIRI_TEXT("editor/tools",
+                            "The paper would have to stretch at the marked hinge; add the layers "
+                            "that must come along"),
+                  {}};
+  }
+  if (scope.preview != nullptr && scope.preview->error) {
+    return Phrase{KIRI_TEXT("editor/tools",
+                            "This fold cannot be made; move the line by its handles, or choose "
+                            "other layers"),
+                  {}};
+  }
+  return std::nullopt;
+}
+
 }  // namespace kiri

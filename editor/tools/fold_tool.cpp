@@ -339,18 +339,7 @@ Phrase FoldTool::hint(const Scope& scope) const {
   if (phase_ == Phase::Resting && opening_)
     return {KIRI_TEXT("editor/tools", "Enter opens the fold again, Esc leaves it"), {}};
   if (phase_ == Phase::Resting) {
-    if (offer_.hasMissing()) {
-      return {KIRI_TEXT("editor/tools",
-                        "The paper would have to stretch at the marked hinge; add the layers that "
-                        "must come along"),
-              {}};
-    }
-    if (scope.preview != nullptr && scope.preview->error) {
-      return {KIRI_TEXT("editor/tools",
-                        "This fold cannot be made; move the line by its handles, or choose other "
-                        "layers"),
-              {}};
-    }
+    if (const std::optional<Phrase> trouble = offer_.trouble(scope)) return *trouble;
     return {KIRI_TEXT("editor/tools",
                       "Enter folds, Esc drops it; V valley, M mountain, Tab the other side, drag "
                       "the handles"),

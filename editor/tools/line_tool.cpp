@@ -226,18 +226,7 @@ Reaction LineTool::setField(const std::string& id, const FieldValue& value, cons
 
 Phrase LineTool::hint(const Scope& scope) const {
   if (offer_.isThere() && !line_.isMoving()) {
-    if (offer_.hasMissing()) {
-      return {KIRI_TEXT("editor/tools",
-                        "The paper would have to stretch at the marked hinge; add the layers that "
-                        "must come along"),
-              {}};
-    }
-    if (scope.preview != nullptr && scope.preview->error) {
-      return {KIRI_TEXT("editor/tools",
-                        "This fold cannot be made; move the line by its handles, or choose other "
-                        "layers"),
-              {}};
-    }
+    if (const std::optional<Phrase> trouble = offer_.trouble(scope)) return *trouble;
     if (solutions_ > 1) {
       return {KIRI_TEXT("editor/tools", "Line %1 of %2: Space shows the next, Enter folds"),
               {std::to_string(solution_ + 1), std::to_string(solutions_)}};

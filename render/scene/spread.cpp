@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/layers/layer_levels.h"
+#include "core/paper/loose_facet.h"
 
 namespace kiri {
 namespace {
@@ -61,20 +62,7 @@ void addStrip(const FoldedState& state, const std::vector<Rigid>& lifted, EdgeId
   pose.origin = start - pose.apply(from);
   const Vec2 step = across * width + along * skew;
   const Vec2 corners[] = {from, from + step, to + step, to};
-  CreasePattern& pattern = out.pattern;
-  const FacetId id(pattern.facets.size());
-  const std::size_t firstVertex = pattern.vertices.size();
-  Facet facet;
-  for (std::size_t i = 0; i < 4; ++i) {
-    pattern.vertices.push_back(corners[i]);
-    Edge side;
-    side.from = VertexId(firstVertex + i);
-    side.to = VertexId(firstVertex + (i + 1) % 4);
-    side.left = id;
-    facet.border.push_back({EdgeId(pattern.edges.size()), false});
-    pattern.edges.push_back(side);
-  }
-  pattern.facets.push_back(std::move(facet));
+  addLooseFacet(out.pattern, corners);
   out.poses.push_back(pose);
 }
 

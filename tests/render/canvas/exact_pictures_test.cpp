@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/paper/loose_facet.h"
 #include "render/canvas/png.h"
 #include "render/canvas/write.h"
 #include "render/scene/model_scene.h"
@@ -220,20 +221,8 @@ FoldedState ringOfPlanks(int count) {
   FoldedState state(CreasePattern(Tolerance(100)));
   std::vector<LayerSet> sets;
   for (int i = 0; i < count; ++i) {
-    const FacetId id(state.pattern.facets.size());
     const Vec2 corners[] = {{-30, 8}, {30, 8}, {30, 20}, {-30, 20}};
-    const std::size_t first = state.pattern.vertices.size();
-    Facet facet;
-    for (std::size_t k = 0; k < 4; ++k) {
-      state.pattern.vertices.push_back(corners[k]);
-      Edge edge;
-      edge.from = VertexId(first + k);
-      edge.to = VertexId(first + (k + 1) % 4);
-      edge.left = id;
-      facet.border.push_back({EdgeId(state.pattern.edges.size()), false});
-      state.pattern.edges.push_back(edge);
-    }
-    state.pattern.facets.push_back(facet);
+    const FacetId id = addLooseFacet(state.pattern, corners);
     const Rigid tilt = rotationAbout({0, 14, 0}, {0, 1, 0}, 12);
     state.poses.push_back(compose(rotationAbout({0, 0, 0}, {0, 0, 1}, 360.0 * i / count), tilt));
     sets.push_back({state.poses.back().normal(), {id}, {}});
