@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
 
 #include "render/canvas/cairo_canvas.h"
 #include "render/canvas/cairo_handles.h"
+#include "render/canvas/cairo_pixels.h"
 #include "render/canvas/number_text.h"
 #include "render/canvas/page_check.h"
 #include "render/canvas/png.h"
@@ -30,30 +30,6 @@ Error failure(const char* what, cairo_status_t status) {
                std::string("the ") + what + " could not be drawn: " +
                    cairo_status_to_string(status) + "; try a smaller picture",
                {}};
-}
-
-/// Straight bytes from cairo's premultiplied words.
-Image pixelsOf(cairo_surface_t* surface, int width, int height) {
-  Image image{width, height, {}};
-  image.rgba.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-  cairo_surface_flush(surface);
-  const unsigned char* rows = cairo_image_surface_get_data(surface);
-  const int stride = cairo_image_surface_get_stride(surface);
-  for (int y = 0; y < height; ++y) {
-    const unsigned char* row = rows + std::ptrdiff_t{y} * stride;
-    for (int x = 0; x < width; ++x) {
-      std::uint32_t word = 0;
-      std::copy_n(row + std::ptrdiff_t{x} * 4, 4, reinterpret_cast<unsigned char*>(&word));
-      const std::uint32_t alpha = word >> 24;
-      for (const int shift : {16, 8, 0}) {
-        const std::uint32_t c = word >> shift & 0xFF;
-        image.rgba.push_back(static_cast<std::uint8_t>(
-            alpha == 0 ? 0 : std::min(255U, (c * 255 + alpha / 2) / alpha)));
-      }
-      image.rgba.push_back(static_cast<std::uint8_t>(alpha));
-    }
-  }
-  return image;
 }
 
 }  // namespace
@@ -107,11 +83,13 @@ Result<std::string> writePng(const Scene& scene, const PngOptions& options) {
     return failure("PNG", cairo_surface_status(surface.get()));
   }
   const CairoContext cr(cairo_create(surface.get()));
+  // The last row and column of pixels reach beyond the page.
+  if (scene.background) paintGround(cr.get(), *scene.background);
   cairo_scale(cr.get(), perMm, perMm);
   constexpr double kSeamPixels = 3;
   drawScene(cr.get(), scene, kSeamPixels / perMm);
   if (cairo_status(cr.get()) != CAIRO_STATUS_SUCCESS) return failure("PNG", cairo_status(cr.get()));
-  return encodePng(pixelsOf(surface.get(), width, height), options.dpi);
+  return encodePng(pixelsOf(surface.get()), options.dpi);
 }
 
 }  // namespace kiri

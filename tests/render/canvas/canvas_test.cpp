@@ -311,6 +311,18 @@ TEST(NumberText, IsShortAndExactToItsDecimals) {
   EXPECT_EQ(numberText(0.000001, 6), "0.000001");
 }
 
+TEST(WritePng, ABackgroundReachesTheLastRowAndColumn) {
+  Scene scene;
+  scene.width = 10.03;
+  scene.height = 7.01;
+  scene.background = Color{255, 250, 240};
+  const Image image = *decodePng(*writePng(scene, {100}));
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    ASSERT_EQ(image.rgba[i + 3], 255) << "pixel " << i / 4;
+    ASSERT_EQ(image.rgba[i + 2], 240) << "pixel " << i / 4;
+  }
+}
+
 TEST(Png, ShadowIsAsDarkAsTheSumOfItsFills) {
   ViewSpec spec{20, 40};
   spec.hasShadow = true;
