@@ -17,7 +17,7 @@ view() { # EXAMPLE PICTURE OPTIONS...
   ./kiri render "examples/$example.kiri" -o "docs/pictures/$picture.png" --background '#ffffff' "$@"
 }
 
-sheet leaf_palmate leaf --steps 14-16 --columns 3 --no-numbers --no-titles
+sheet leaf_acer_circinatum leaf --steps 17,18,last --columns 3 --no-numbers --no-titles
 sheet leaf_palmate palmate_steps
 sheet leaf_secondary_lobes secondary_lobes --steps 3,5,7,13-16 --columns 4
 sheet ship ship_steps
