@@ -1,154 +1,154 @@
-// How many layers of paper lie on each other.
+// How many layers of paper lie on each other: a vertical line sweeps over each plane.
 // SPDX-License-Identifier: MIT
 #include "core/layers/layer_count.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
-#include "core/geometry/bounds.h"
-#include "core/geometry/convex.h"
-#include "core/geometry/region.h"
+#include "core/geometry/cubic.h"
 
 namespace kiri {
 
 namespace {
 
-using Polygon = std::vector<Vec2>;
+/// A straight piece of the border of a facet, in the plane; `left.x` < `right.x`.
+struct Side {
+  Vec2 left;
+  Vec2 right;
+  std::uint32_t facet = 0;
 
-/// A convex place of the plane that `depth` facets cover.
-struct Cell {
-  Polygon polygon;
-  std::uint32_t depth = 0;
+  double at(double x) const {
+    return left.y + (right.y - left.y) * ((x - left.x) / (right.x - left.x));
+  }
 };
 
-/// The cells of one plane, by the squares of a grid that their boxes touch.
-class CellMap {
+/// From one place where sides begin or end to the next.
+struct Slab {
+  double from = 0;
+  double to = 0;
+};
+
+class LayerScan {
  public:
-  CellMap(double square, double eps) : square_(square), eps_(eps) {}
+  /// `eps`: what is narrower does not count.
+  LayerScan(std::vector<Side> sides, double eps) : sides_(std::move(sides)), eps_(eps) {
+    std::sort(sides_.begin(), sides_.end(),
+              [](const Side& a, const Side& b) { return a.left.x < b.left.x; });
+  }
 
-  std::uint32_t deepest() const { return deepest_; }
-
-  /// Lays one convex polygon on top: what it covers of a cell becomes a deeper cell, the rest of it
-  /// a new one.
-  void lay(const Polygon& polygon) {
-    std::vector<Polygon> bare = {polygon};
-    for (const std::size_t index : touching(polygon)) {
-      const Polygon covered = intersection(cells_[index].polygon, polygon, eps_);
-      if (covered.empty()) continue;
-      const Cell old = cells_[index];
-      std::vector<Polygon> rest;
-      for (const Polygon& part : bare) cutAway(part, old.polygon, rest);
-      bare = std::move(rest);
-      std::vector<Polygon> uncovered;
-      cutAway(old.polygon, polygon, uncovered);
-      if (uncovered.empty()) {
-        cells_[index].depth = old.depth + 1;
-      } else {
-        remove(index);
-        for (Polygon& part : uncovered) add({std::move(part), old.depth});
-        add({covered, old.depth + 1});
-      }
-      deepest_ = std::max(deepest_, old.depth + 1);
+  std::uint32_t deepest() {
+    std::vector<double> places;
+    for (const Side& side : sides_) {
+      places.push_back(side.left.x);
+      places.push_back(side.right.x);
     }
-    for (Polygon& part : bare) add({std::move(part), 1});
+    std::sort(places.begin(), places.end());
+    std::uint32_t most = 0;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const Slab slab{places[i], places[i + 1]};
+      if (slab.to - slab.from <= 2 * eps_) continue;
+      for (; next < sides_.size() && sides_[next].left.x <= slab.from; ++next)
+        met_.push_back(sides_[next]);
+      std::erase_if(met_, [&](const Side& side) { return side.right.x < slab.to; });
+      most = std::max(most, deepestIn(slab));
+    }
+    return most;
   }
 
  private:
-  using Key = std::pair<std::int64_t, std::int64_t>;
+  /// Between the crossings of its sides the depths along the line stay the same.
+  std::uint32_t deepestIn(const Slab& slab) {
+    std::vector<double> places = crossingsIn(slab);
+    places.push_back(slab.from);
+    places.push_back(slab.to);
+    std::sort(places.begin(), places.end());
+    std::uint32_t most = 0;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      if (places[i + 1] - places[i] <= 2 * eps_) continue;
+      most = std::max(most, deepestAt((places[i] + places[i + 1]) / 2));
+    }
+    return most;
+  }
 
-  /// Appends what is left of `polygon` outside `hole`, as convex parts.
-  void cutAway(const Polygon& polygon, const Polygon& hole, std::vector<Polygon>& out) const {
-    Polygon inside = polygon;
-    std::vector<Polygon> parts;
-    for (std::size_t i = 0; i < hole.size(); ++i) {
-      const Vec2 a = hole[i];
-      const Vec2 b = hole[(i + 1) % hole.size()];
-      Polygon outside = clipLeft(inside, b, a, eps_);
-      if (!outside.empty()) parts.push_back(std::move(outside));
-      inside = clipLeft(inside, a, b, eps_);
-      if (inside.empty()) {
-        out.push_back(polygon);
-        return;
+  /// Where sides cross: those that stand in another order on the right than on the left. Sides that
+  /// lie on each other but for rounding do not cross.
+  std::vector<double> crossingsIn(const Slab& slab) const {
+    std::vector<std::pair<double, double>> heights;
+    for (const Side& side : met_) heights.push_back({side.at(slab.from), side.at(slab.to)});
+    std::sort(heights.begin(), heights.end());
+    std::vector<double> crossings;
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+      for (std::size_t j = i; j > 0; --j) {
+        const double left = heights[j].first - heights[j - 1].first;
+        const double right = heights[j - 1].second - heights[j].second;
+        if (right <= eps_) break;
+        if (left > eps_)
+          crossings.push_back(slab.from + (slab.to - slab.from) * (left / (left + right)));
+        std::swap(heights[j - 1], heights[j]);
       }
     }
-    for (Polygon& part : parts) out.push_back(std::move(part));
+    return crossings;
   }
 
-  template <class Visit>
-  void forSquares(const Polygon& polygon, const Visit& visit) const {
-    const Box box = boundsOf(polygon);
-    const auto square = [this](double v) {
-      return static_cast<std::int64_t>(std::floor(v / square_));
-    };
-    for (std::int64_t x = square(box.low.x); x <= square(box.high.x); ++x) {
-      for (std::int64_t y = square(box.low.y); y <= square(box.high.y); ++y) visit(Key{x, y});
+  /// How many facets share a stretch of the line: each covers every other stretch between its
+  /// sides.
+  std::uint32_t deepestAt(double x) const {
+    std::vector<std::pair<std::uint32_t, double>> met;
+    for (const Side& side : met_) met.push_back({side.facet, side.at(x)});
+    std::sort(met.begin(), met.end());
+    std::vector<std::pair<double, int>> ends;
+    for (std::size_t i = 0; i + 1 < met.size(); i += 2) {
+      const double low = met[i].second + eps_;
+      const double high = met[i + 1].second - eps_;
+      if (low >= high) continue;
+      ends.push_back({low, 1});
+      ends.push_back({high, -1});
     }
+    std::sort(ends.begin(), ends.end());
+    std::uint32_t depth = 0;
+    std::uint32_t most = 0;
+    for (const auto& [height, change] : ends) {
+      depth = change > 0 ? depth + 1 : depth - 1;
+      most = std::max(most, depth);
+    }
+    return most;
   }
 
-  std::vector<std::size_t> touching(const Polygon& polygon) const {
-    std::vector<std::size_t> out;
-    forSquares(polygon, [&](Key key) {
-      const auto at = squares_.find(key);
-      if (at != squares_.end()) out.insert(out.end(), at->second.begin(), at->second.end());
-    });
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-    return out;
-  }
-
-  void add(Cell cell) {
-    deepest_ = std::max(deepest_, cell.depth);
-    const std::size_t index = cells_.size();
-    forSquares(cell.polygon, [&](Key key) { squares_[key].push_back(index); });
-    cells_.push_back(std::move(cell));
-  }
-
-  void remove(std::size_t index) {
-    forSquares(cells_[index].polygon, [&](Key key) {
-      std::vector<std::size_t>& list = squares_[key];
-      list.erase(std::remove(list.begin(), list.end(), index), list.end());
-    });
-    cells_[index].polygon.clear();
-  }
-
-  double square_;
+  std::vector<Side> sides_;
+  std::vector<Side> met_;  ///< those that reach from one end of the slab to the other
   double eps_;
-  std::vector<Cell> cells_;
-  std::map<Key, std::vector<std::size_t>> squares_;
-  std::uint32_t deepest_ = 0;
 };
 
-std::uint32_t deepestOf(const FoldedState& state, const LayerSet& set) {
-  if (set.upward.size() < 2) return static_cast<std::uint32_t>(set.upward.size());
-  const Rigid& plane = state.poseOf(set.upward.front());
-  std::vector<Polygon> polygons;
-  Box all{{0, 0}, {0, 0}};
-  for (const FacetId facet : set.upward) {
-    for (const ConvexPart& part : convexParts(regionOf(state.pattern, facet), state.tolerance())) {
-      Polygon polygon;
-      for (const Vec2 p : part.points)
-        polygon.push_back(plane.pullBack(state.poseOf(facet).apply(p)));
-      if (signedArea(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
-      const Box box = boundsOf(polygon);
-      all = polygons.empty() ? box : joined(all, box);
-      polygons.push_back(std::move(polygon));
+/// The sides of a facet as it lies in the plane; those that stand upright meet no upright line.
+void addSides(const FoldedState& state, FacetId facet, const Rigid& plane,
+              std::vector<Side>& sides) {
+  const Rigid& pose = state.poseOf(facet);
+  for (const EdgeUse use : state.pattern[facet].border) {
+    // Along the edge's own direction, so that both of its facets get the same points.
+    const Arc arc = arcOf(state.pattern, use.edge);
+    const std::vector<double> steps = flatteningParameters(arc, state.tolerance().flattening());
+    Vec2 last;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const Vec2 here = plane.pullBack(pose.apply(pointAt(arc, steps[i])));
+      if (i > 0 && here.x < last.x) sides.push_back({here, last, facet.index});
+      if (i > 0 && here.x > last.x) sides.push_back({last, here, facet.index});
+      last = here;
     }
   }
-  const double width = std::max(all.high.x - all.low.x, all.high.y - all.low.y);
-  CellMap cells(width / std::sqrt(static_cast<double>(polygons.size())), state.tolerance().match());
-  for (const Polygon& polygon : polygons) cells.lay(polygon);
-  return cells.deepest();
 }
 
 }  // namespace
 
 std::uint32_t maxLayerCount(const FoldedState& state) {
   std::uint32_t deepest = 0;
-  for (const LayerSet& set : state.layers.sets())
-    deepest = std::max(deepest, deepestOf(state, set));
+  for (const LayerSet& set : state.layers.sets()) {
+    const Rigid& plane = state.poseOf(set.upward.front());
+    std::vector<Side> sides;
+    for (const FacetId facet : set.upward) addSides(state, facet, plane, sides);
+    deepest = std::max(deepest, LayerScan(std::move(sides), state.tolerance().match()).deepest());
+  }
   return deepest;
 }
 

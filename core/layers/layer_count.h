@@ -9,9 +9,9 @@
 namespace kiri {
 
 /// The largest number of facets that lie on each other at any place of any plane; places narrower
-/// than the tolerance of contact do not count. Curves are taken as polylines. Keeps convex cells
-/// that do not overlap, each with its depth, and lays the facets on them one by one; cost is
-/// near-linear in facets and cells.
+/// than the tolerance of contact do not count. Curves are taken as polylines. An upright line
+/// sweeps over the plane from corner to corner and crossing to crossing of the facets' sides; cost:
+/// places where it stops times sides that it meets there.
 std::uint32_t maxLayerCount(const FoldedState& state);
 
 }  // namespace kiri

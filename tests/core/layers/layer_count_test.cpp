@@ -59,6 +59,17 @@ TEST(LayerCount, CountsOnlyLayersThatShareAPlace) {
   EXPECT_EQ(maxLayerCount(test::run("rectangle 100 20\nfold a valley 90 40,0 40,20 left")), 1u);
 }
 
+TEST(LayerCount, CountsLayersWithTheSameCurvedMargin) {
+  // Mirrored copies of a margin agree but for rounding, in hundreds of places.
+  const std::string folded =
+      "square 120; fold a valley 60,0 60,120 right; fold b valley @model 0,60 60,60 left;"
+      "fold c valley @model 0,0 60,60 left;";
+  const FoldedState state =
+      test::run(folded + "curve @model 70,45 50,40 45,25 35,20 30,-10 keep m:57,4");
+  EXPECT_FALSE(state.pattern.curves.empty());
+  EXPECT_EQ(maxLayerCount(state), 8u);
+}
+
 TEST(LayerCount, AgreesWithCountingAtPointsOnRandomModels) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     test::Random random(seed);
