@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/base/text.h"
@@ -62,6 +63,11 @@ std::vector<FolderLine> linesOnto(const EdgeAxis& axis, const std::vector<Vec2>&
   return lines;
 }
 
+/// The angle to the edge, as one would measure it: at most 90 degrees.
+std::string degreesOf(const FolderLine& line) {
+  return text(kFolderStep * std::min(line.steps, kFolderSteps + 1 - line.steps));
+}
+
 /// Another line than the first; corners that lie on each other have the same lines.
 const FolderLine* secondAt(const std::vector<FolderLine>& lines, const FolderLine& first,
                            double match) {
@@ -100,7 +106,7 @@ std::optional<Snapped> snapToFoldEnd(const FoldedState& state, const PaneMap& ma
   Snapped out;
   out.kind = SnapKind::Angle;
   out.spot = {edge.left, from + axis.along * best->at};
-  out.label = {KIRI_TEXT("editor/snap", "%1°"), {text(kFolderStep * best->steps)}};
+  out.label = {KIRI_TEXT("editor/snap", "%1° and %2°"), {degreesOf(*best), degreesOf(*other)}};
   const auto drawn = [&](Vec2 paper) -> MarkPlace {
     if (map.pane == Pane::Sheet)
       return PixelPlace{map.pane, map.toPixels(state, {edge.left, paper})};

@@ -529,6 +529,10 @@
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>%1° and %2°</source>
+        <translation>%1° und %2°</translation>
+    </message>
 </context>
 <context>
     <name>editor/tools</name>
