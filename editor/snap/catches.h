@@ -13,6 +13,9 @@
 
 namespace kiri {
 
+/// Degrees between the directions in which folders lay corners onto edges.
+inline constexpr double kFolderStep = 22.5;
+
 /// One thing that a point could be meant to be.
 struct Catch {
   SnapKind kind = SnapKind::None;

@@ -8,12 +8,12 @@
 
 #include "core/base/text.h"
 #include "core/geometry/rigid.h"
+#include "editor/snap/catches.h"
 
 namespace kiri {
 namespace {
 
-constexpr double kFolderStep = 22.5;  // degrees
-constexpr int kFolderSteps = 7;       // between 0 and 180
+constexpr int kFolderSteps = 7;  // between 0 and 180 degrees
 
 /// An edge's line as an axis: how far along it, and how far beside.
 struct EdgeAxis {

@@ -198,7 +198,6 @@ std::optional<Snapped> snapPoint(const FoldedState& state, const PaneMap& map, V
 
 std::optional<Snapped> snapDragged(const FoldedState& state, const PaneMap& map, Vec2 pixels,
                                    const SnapSettings& settings, FacetId frame, Vec2 from) {
-  constexpr double kFolderStep = 22.5;  // degrees
   return snap(state, map, pixels, settings, frame, from, kFolderStep);
 }
 
