@@ -187,9 +187,15 @@ Attempt attempt(const FoldedState& state, const Wanted& wanted, bool isOnly) {
   return turned.isFree(state) ? std::move(turned) : Attempt{std::move(next), {}};
 }
 
+Attempt attemptAlone(const FoldedState& state, const Wanted& wanted) {
+  Movements made;
+  Result<FoldedState> next = setAmountAlone(state, wanted.first, wanted.second, &made);
+  return {std::move(next), std::move(made)};
+}
+
 /// In which order lines move one after the other.
 struct OrderRule {
-  bool mayWait = false;         ///< one that is not free waits for one that is
+  bool mayWait = false;         ///< one that is not free waits for one that turns freely
   bool stopsWhereHeld = false;  ///< before a crease turns through itself
 };
 
@@ -205,7 +211,7 @@ InOrder moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
     std::size_t place = 0;
     Attempt taken = attempt(way.state, way.left.front(), wanted.size() == 1);
     for (std::size_t i = 1; rule.mayWait && i < way.left.size() && !taken.isFree(way.state); ++i) {
-      Attempt other = attempt(way.state, way.left[i], false);
+      Attempt other = attemptAlone(way.state, way.left[i]);
       if (!other.isFree(way.state)) continue;
       taken = std::move(other);
       place = i;
