@@ -13,14 +13,3 @@ if(KIRI_SANITIZED)
     add_compile_options(-fsanitize=fuzzer-no-link)
   endif()
 endif()
-
-# Half of the compiler's time goes into headers, and nobody edits in the sanitized build: it compiles eight sources of
-# a target at once. That names in unnamed namespaces of one room differ is good for readers too.
-function(kiri_compile_together target)
-  if(KIRI_SANITIZED)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    # A class that a source defines for itself may hold what is in the unnamed namespace of that source; here it
-    # looks like a header's.
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-  endif()
-endfunction()

@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 TOPS = ("core", "io", "render", "editor", "apps")
-AT_ONCE = 12
+AT_ONCE = 24
 NOISE = (" warnings generated", " warning generated", "Suppressed ", "Use -header-filter", " warnings treated",
          " warning treated")
 

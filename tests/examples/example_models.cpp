@@ -9,6 +9,7 @@
 #include "core/model/replay.h"
 #include "io/file.h"
 #include "io/kiri_reader.h"
+#include "tests/support/example_files.h"
 
 namespace kiri::test {
 namespace {
@@ -41,10 +42,8 @@ ExampleModel replayed(const std::string& name) {
 const std::vector<std::string>& exampleNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(KIRI_SOURCE_DIR "/examples")) {
-      if (entry.path().extension() == ".kiri") found.push_back(entry.path().stem().string());
-    }
-    std::sort(found.begin(), found.end());
+    for (const std::filesystem::path& file : exampleFilesThatTakeLong())
+      found.push_back(file.stem().string());
     return found;
   }();
   return names;

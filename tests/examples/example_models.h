@@ -23,7 +23,7 @@ struct ExampleModel {
   const FoldedState& last() const { return *states.back(); }
 };
 
-/// Names of all models in examples/, sorted.
+/// Names of all models in examples/, sorted; in the build with sanitizers every fifth.
 const std::vector<std::string>& exampleNames();
 
 /// Reads and replays a model, or returns what came of it before.

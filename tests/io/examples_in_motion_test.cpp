@@ -7,9 +7,9 @@
 
 #include "core/model/apply.h"
 #include "core/model/replay.h"
-#include "io/file.h"
-#include "io/kiri_reader.h"
+#include "tests/support/example_files.h"
 #include "tests/support/order_check.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/state_check.h"
 
 namespace kiri {
@@ -29,14 +29,9 @@ void checkOnTheWay(const Movement& movement, const std::string& where) {
 
 TEST(ExamplesInMotion, NeverStretchAndKeepTheirLayersRightOnTheWay) {
   std::size_t movementCount = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(KIRI_SOURCE_DIR "/examples")) {
-    if (entry.path().extension() != ".kiri") continue;
-    const std::string name = entry.path().filename().string();
-    const Result<std::string> text = readFile(entry.path().string());
-    ASSERT_TRUE(text.isOk());
-    const Result<LoadedModel> loaded = readKiri(*text, name);
-    ASSERT_TRUE(loaded.isOk());
-    const Model& model = loaded->model;
+  for (const std::filesystem::path& file : test::exampleFilesThatTakeLong()) {
+    const std::string name = file.filename().string();
+    const Model model = test::modelInFile(file);
     const Result<Sheet> sheet = makeSheet(model.sheet);
     FoldedState state = flatState(*sheet);
     for (std::size_t i = 0; i < model.steps.size(); ++i) {
@@ -49,7 +44,7 @@ TEST(ExamplesInMotion, NeverStretchAndKeepTheirLayersRightOnTheWay) {
       state = std::move(*next);
     }
   }
-  EXPECT_GT(movementCount, 40u);
+  EXPECT_GT(movementCount, test::casesOf(200u, 40u));
 }
 
 }  // namespace

@@ -15,11 +15,11 @@
 
 #include "core/model/apply.h"
 #include "core/model/replay.h"
-#include "io/file.h"
-#include "io/kiri_reader.h"
 #include "tests/io/fold_reader.h"
+#include "tests/support/example_files.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 
 namespace kiri {
 namespace {
@@ -262,15 +262,9 @@ TEST(FoldWriter, DescribesRandomModelsWholly) {
 
 TEST(FoldWriter, DescribesEveryStepOfEveryExampleWholly) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(KIRI_SOURCE_DIR "/examples")) {
-    if (entry.path().extension() != ".kiri") continue;
-    const std::string name = entry.path().filename().string();
-    const Result<std::string> text = readFile(entry.path().string());
-    ASSERT_TRUE(text.isOk()) << name;
-    const Result<LoadedModel> loaded = readKiri(*text, name);
-    ASSERT_TRUE(loaded.isOk()) << loaded.error().message;
-    EXPECT_TRUE(loaded->warnings.empty()) << name;
-    const Result<Replay> steps = replay(loaded->model);
+  for (const std::filesystem::path& file : test::exampleFilesThatTakeLong()) {
+    const std::string name = file.filename().string();
+    const Result<Replay> steps = replay(test::modelInFile(file));
     ASSERT_TRUE(steps.isOk()) << name;
     for (const StepOutcome& outcome : steps->outcomes) {
       ASSERT_TRUE(outcome.state) << name << ": " << outcome.error->message;
@@ -286,7 +280,7 @@ TEST(FoldWriter, DescribesEveryStepOfEveryExampleWholly) {
     expectWholeMesh(last.pattern, name + ", coarse");
     expectWholeMesh(last.form, name + ", coarse and folded");
   }
-  EXPECT_GT(count, 50u);
+  EXPECT_GT(count, test::casesOf(250u, 50u));
 }
 
 TEST(FoldWriter, LeavesOutOrdersThatFollowFromOthersInLargeStacks) {

@@ -15,15 +15,12 @@
 #include "tests/support/order_check.h"
 #include "tests/support/plane_overlap.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 
 namespace kiri::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kModels = 15;
-#else
-constexpr std::uint64_t kModels = 150;
-#endif
+constexpr std::uint64_t kModels = casesOf<std::uint64_t>(150, 15);
 
 bool hasCurves(const FoldedState& state) {
   return std::any_of(state.pattern.edges.begin(), state.pattern.edges.end(),

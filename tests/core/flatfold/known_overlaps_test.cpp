@@ -13,15 +13,12 @@
 #include "core/flatfold/folded_ground.h"
 #include "core/flatfold/local_conditions.h"
 #include "io/patterns/pattern_file.h"
+#include "tests/support/sanitized.h"
 
 namespace kiri::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t kFacetLimit = 150;
-#else
-constexpr std::size_t kFacetLimit = 5000;
-#endif
+constexpr std::size_t kFacetLimit = casesOf<std::size_t>(5000, 150);
 
 struct KnownPattern {
   std::string file;

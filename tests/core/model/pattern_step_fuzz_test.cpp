@@ -8,16 +8,13 @@
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/state_check.h"
 
 namespace kiri::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kDrawings = 400;
-#else
-constexpr std::uint64_t kDrawings = 4000;
-#endif
+constexpr std::uint64_t kDrawings = casesOf<std::uint64_t>(4000, 400);
 
 const char* const kSheets[] = {"square 60", "rectangle 60 40", "disc 60",
                                "polygon 0,0 60,0 60,60 30,20 0,60",

@@ -11,6 +11,7 @@
 #include "tests/support/model_text.h"
 #include "tests/support/order_check.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/state_check.h"
 #include "tests/support/state_text.h"
 
@@ -18,11 +19,7 @@ namespace kiri::test {
 namespace {
 
 // A fixed count: the same models on every machine. Sanitizers take ten times as long.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kSeeds = 4;
-#else
-constexpr std::uint64_t kSeeds = 12;
-#endif
+constexpr std::uint64_t kSeeds = casesOf<std::uint64_t>(12, 2);
 
 bool discards(const Step& step) {
   const auto* straight = std::get_if<StraightCutStep>(&step.action);

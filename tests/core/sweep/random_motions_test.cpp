@@ -12,16 +12,13 @@
 #include "tests/support/motion_check.h"
 #include "tests/support/order_check.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/state_check.h"
 
 namespace kiri::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kMotions = 60;
-#else
-constexpr int kMotions = 1200;
-#endif
+constexpr int kMotions = casesOf<int>(1200, 60);
 
 bool isCurved(const FoldedState& state) { return !state.pattern.curves.empty(); }
 

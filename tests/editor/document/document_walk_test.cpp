@@ -7,16 +7,13 @@
 #include "io/kiri_reader.h"
 #include "io/kiri_writer.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/state_text.h"
 
 namespace kiri::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kSeeds = 2;
-#else
-constexpr std::uint64_t kSeeds = 8;
-#endif
+constexpr std::uint64_t kSeeds = casesOf<std::uint64_t>(8, 2);
 
 struct Version {
   std::string file;

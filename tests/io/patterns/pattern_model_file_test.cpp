@@ -11,23 +11,17 @@
 #include "core/model/apply.h"
 #include "core/model/facet_finder.h"
 #include "core/model/replay.h"
-#include "io/file.h"
 #include "io/fold_writer.h"
-#include "io/kiri_reader.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 
 namespace kiri::test {
 namespace {
 
 constexpr double kSame = 1e-9;
-
-Model modelIn(const std::filesystem::path& path) {
-  const Result<std::string> text = readFile(path.string());
-  Result<LoadedModel> loaded = readKiri(*text, path.filename().string());
-  return std::move(loaded->model);
-}
 
 FoldedState endOf(const Model& model) {
   const Result<Replay> replayed = replay(model);
@@ -115,14 +109,9 @@ void expectRoundTrip(const FoldedState& state, const std::string& name) {
 }
 
 TEST(PatternRoundTrip, EveryExampleComesBackFromFold) {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(KIRI_SOURCE_DIR "/examples")) {
-    if (entry.path().extension() == ".kiri") paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  ASSERT_GE(paths.size(), 10u);
-  for (const std::filesystem::path& path : paths) {
-    const Model model = modelIn(path);
+  ASSERT_GE(exampleFiles().size(), 10u);
+  for (const std::filesystem::path& path : exampleFilesThatTakeLong()) {
+    const Model model = modelInFile(path);
     const Result<Replay> replayed = replay(model);
     ASSERT_TRUE(replayed.isOk());
     for (std::size_t i = 0; i < model.steps.size(); ++i) {
@@ -139,7 +128,7 @@ TEST(PatternRoundTrip, RandomStepsComeBackFromFold) {
   options.hasCuts = false;
   options.hasTears = false;
   std::size_t states = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= casesOf<std::uint64_t>(8, 2); ++seed) {
     Random random(seed);
     const Model sheet = randomSheet(random);
     FoldedState state = startOf(sheet);
@@ -155,7 +144,7 @@ TEST(PatternRoundTrip, RandomStepsComeBackFromFold) {
       if (testing::Test::HasFailure()) return;
     }
   }
-  EXPECT_GT(states, 20u);
+  EXPECT_GT(states, casesOf(20u, 5u));
 }
 
 TEST(PatternModelFile, AUnitWithoutASizeIsGuessedAndTold) {

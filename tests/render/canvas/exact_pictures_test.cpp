@@ -15,6 +15,7 @@
 #include "tests/support/depth_buffer.h"
 #include "tests/support/model_text.h"
 #include "tests/support/random_steps.h"
+#include "tests/support/sanitized.h"
 
 namespace kiri {
 namespace {
@@ -173,9 +174,11 @@ FoldedState randomState(test::Random& random) {
   return state;
 }
 
+constexpr int kPictures = test::casesOf(300, 60);
+
 TEST(ExactPictures, RandomStatesFromRandomSidesEqualADepthBuffer) {
   Tally tally;
-  for (std::uint64_t seed = 1; tally.pictures < 300; ++seed) {
+  for (std::uint64_t seed = 1; tally.pictures < kPictures; ++seed) {
     ASSERT_LT(seed, 600U);
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     test::Random random(seed * 7919);
@@ -183,11 +186,11 @@ TEST(ExactPictures, RandomStatesFromRandomSidesEqualADepthBuffer) {
     expectExact(state, randomView(random), tally);
     if (::testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(tally.perspective, 60);
-  EXPECT_GT(tally.collided, 20);
-  EXPECT_GT(tally.severalPlanes, 60);
+  EXPECT_GT(tally.perspective, kPictures / 5);
+  EXPECT_GT(tally.collided, kPictures / 15);
+  EXPECT_GT(tally.severalPlanes, kPictures / 5);
   EXPECT_LT(tally.unclear, tally.samples / 1000);
-  EXPECT_GT(tally.pixels, 500000);
+  EXPECT_GT(tally.pixels, kPictures * 1500);
 }
 
 /// Four arms folded onto the middle of a plus, each over the next, and then opened a little or not.

@@ -12,8 +12,8 @@
 
 #include "core/model/replay.h"
 #include "io/file.h"
-#include "io/kiri_reader.h"
 #include "render/canvas/png.h"
+#include "tests/support/example_files.h"
 #include "tests/support/model_text.h"
 
 namespace kiri::test {
@@ -34,17 +34,11 @@ FoldedState randomFolded(Random& random) {
 }
 
 std::vector<Example> allExamples() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(KIRI_SOURCE_DIR) + "/examples")) {
-    if (entry.path().extension() == ".kiri") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
   std::vector<Example> out;
-  for (const std::filesystem::path& file : files) {
-    const LoadedModel loaded = *readKiri(*readFile(file.string()), file.string());
-    const Replay steps = *replay(loaded.model);
-    const std::size_t count = loaded.model.steps.size();
+  for (const std::filesystem::path& file : exampleFilesThatTakeLong()) {
+    const Model model = modelInFile(file);
+    const Replay steps = *replay(model);
+    const std::size_t count = model.steps.size();
     Example& example = out.emplace_back();
     example.name = file.stem().string();
     for (const std::size_t done : {count / 2, count}) example.states.push_back(**steps.after(done));

@@ -19,6 +19,7 @@ struct Example {
   std::string name;
   std::vector<FoldedState> states;  ///< folded halfway through the steps, and at the end
 };
+/// In the build with sanitizers every fifth.
 std::vector<Example> allExamples();
 
 /// A sheet with the folds of Miura in it, halfway open: n x n facets that hold together, each in a
