@@ -7,6 +7,8 @@ import re
 import sys
 from pathlib import Path
 
+from room_names import clashes
+
 TOPS = ("core", "io", "render", "editor", "apps")
 CODE = (".h", ".cpp")
 MAX_LINES = 500
@@ -175,6 +177,17 @@ def check_text(root, path):
                 yield f"{where}:{number}: unfinished work is written down in an issue, not in the code"
 
 
+def check_names(root):
+    """Sources of a folder are compiled together, those of tests too."""
+    folders = {}
+    for top in TOPS + ("tests", "benchmarks"):
+        for path in sorted((root / top).rglob("*.cpp")) if (root / top).is_dir() else ():
+            blanked = without_comments(path.read_text(encoding="utf-8"))
+            folders.setdefault(path.parent, []).append((path.relative_to(root).as_posix(), blanked))
+    for sources in folders.values():
+        yield from clashes(sources)
+
+
 def check_build_files(root):
     for path in sorted(root.glob("cmake/*.cmake")) + [root / "CMakeLists.txt", root / "CMakePresets.json"]:
         if path.is_file():
@@ -200,6 +213,7 @@ def check(root):
               for p in sorted((root / top).rglob("*")) if p.suffix in CODE + (".py", ".sh")]
     for path in files + others:
         problems += check_text(root, path)
+    problems += check_names(root)
     problems += check_build_files(root)
     return problems
 

@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/geometry/tolerance.h"
 #include "core/leaf/margin.h"
+#include "core/leaf/segments.h"
 
 namespace kiri {
 namespace {
@@ -178,11 +179,6 @@ std::vector<Stretch> keptCreases(const FoldedHalf& half) {
   return out;
 }
 
-bool doCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const bool isParted = cross(b - a, c - a) * cross(b - a, d - a) < 0;
-  return isParted && cross(d - c, a - c) * cross(d - c, b - c) < 0;
-}
-
 /// No piece but those that start or end at its end may cut a crease.
 Status checkOnce(const FoldedHalf& half, const MarginCurve& curve, const Stretch& stretch) {
   const std::size_t own = curve.crossings[stretch.crease];
@@ -191,7 +187,7 @@ Status checkOnce(const FoldedHalf& half, const MarginCurve& curve, const Stretch
     for (int k = 0; k < kSamplesPerPiece; ++k) {
       const Vec2 a = pointAt(curve.arcs[i], static_cast<double>(k) / kSamplesPerPiece);
       const Vec2 b = pointAt(curve.arcs[i], static_cast<double>(k + 1) / kSamplesPerPiece);
-      if (!doCross(a, b, stretch.from, stretch.to)) continue;
+      if (!doSegmentsCross(a, b, stretch.from, stretch.to)) continue;
       return badMargin("no single margin cuts all layers: it would cut the " +
                        half.creases()[stretch.crease].name +
                        " a second time, nearer to the petiole than its end; make it shorter, or "

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/text.h"
 #include "core/leaf/leaf_steps.h"
+#include "core/leaf/segments.h"
 
 namespace kiri {
 namespace {
@@ -26,11 +27,6 @@ Step secondaryFold(const LeafPlan& plan, const char* name, double angle, int sid
           ""};
 }
 
-bool doCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const bool isParted = cross(b - a, c - a) * cross(b - a, d - a) < 0;
-  return isParted && cross(d - c, a - c) * cross(d - c, b - c) < 0;
-}
-
 /// On a whole sheet the creases run to its border, and none may meet another on the way.
 Status checkApart(const LeafPlan& plan) {
   const LeafSheet& sheet = plan.sheet;
@@ -38,7 +34,7 @@ Status checkApart(const LeafPlan& plan) {
   const Vec2 end = sheet.rimFrom(plan.junction(), angle, 1);
   for (std::size_t ray = 1; ray < plan.fan.size(); ++ray) {
     const Vec2 rim = sheet.rimFrom(sheet.petiole(), plan.fan[ray].angle, 1);
-    if (!doCross(plan.junction(), end, sheet.petiole(), rim)) continue;
+    if (!doSegmentsCross(plan.junction(), end, sheet.petiole(), rim)) continue;
     return Error{ErrorCode::BadValue,
                  "the secondary vein of the mid-lobe (" + text(angle) + " degrees) meets the " +
                      plan.fan[ray].name + " (" + text(plan.fan[ray].angle) +

@@ -29,7 +29,7 @@ std::string_view unquoted(std::string_view text) {
 }
 
 /// Fields between separators; blanks that stand together count once.
-Fields fieldsOf(std::string_view line) {
+Fields fieldsOfPoint(std::string_view line) {
   const char mark = line.find(';') != std::string_view::npos    ? ';'
                     : line.find('\t') != std::string_view::npos ? '\t'
                     : line.find(',') != std::string_view::npos  ? ','
@@ -118,7 +118,7 @@ Result<OutlinePoints> readOutlinePoints(std::string_view text, std::string_view 
   while (const std::optional<std::string_view> line = lines.next()) {
     const std::string_view content = trimmed(*line);
     if (content.empty() || content.front() == '#') continue;
-    const Fields fields = fieldsOf(content);
+    const Fields fields = fieldsOfPoint(content);
     if (out.points.empty() && columns.count == 0 && !hasNumber(fields)) {
       columns = columnsOf(fields);
       continue;

@@ -126,6 +126,26 @@ class Checker(unittest.TestCase):
     def test_finds_unfinished_work(self):
         self.adds("io/read.cpp", "// TO" + "DO: later", "issue")
 
+    def test_finds_names_that_clash_when_a_folder_is_compiled_together(self):
+        def second(inside, first="io/read.cpp", name="io/read_more.cpp"):
+            outer = "namespace kiri {{\nnamespace {{\n{}\n}}\n}}\n"
+            one = ("constexpr int kMost = 3;\nconst char* const kWords[] = {\"a\", \"b\"};\nstruct Line { int kInside = 1; };\n"
+                   "template <class T>\nT first(const T& line, int n = 2) { const int kLocal = n; return line + kLocal; }\n"
+                   "int declared(int n);")
+            return problems_with(files={first: HEAD + outer.format(one), name: HEAD + outer.format(inside)})
+
+        for clash in ("constexpr double kMost = 1;", "const int kWords[2] = {1, 2};", "enum class Line { A };",
+                      "struct Line { int a; };", "template <class T>\nT first(const T& other, int) { return other; }"):
+            problems = second(clash)
+            self.assertEqual(len(problems), 1, clash)
+            self.assertIn("io/read_more.cpp:5: ", problems[0])
+            self.assertIn("is also in io/read.cpp", problems[0])
+        for free in ("constexpr int kLeast = 3;", "int first(double line) { return 1; }", "struct Line;",
+                     "int declared(int n);", "void other() { int kMost = 1; }", "// constexpr int kMost = 1;"):
+            self.assertEqual(second(free), [], free)
+        self.assertEqual(second("constexpr int kMost = 3;", "core/paper/a.cpp"), [])
+        self.assertEqual(len(second("constexpr int kMost = 3;", "tests/io/a.cpp", "tests/io/b.cpp")), 1)
+
     def test_finds_flags_that_change_results(self):
         self.finds("cmake/Fast.cmake", "add_compile_options(-march=native)\n", "Fast.cmake:1")
 

@@ -16,8 +16,8 @@ namespace {
 using test::Random;
 using test::randomConvex;
 
-constexpr double kSize = 141.4;
-constexpr double kEps = 1e-10 * kSize;
+constexpr double kExactSize = 141.4;
+constexpr double kExactEps = 1e-10 * kExactSize;
 
 using Exact = CGAL::Gmpq;
 struct ExactPoint {
@@ -64,11 +64,11 @@ double exactArea(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return CGAL::to_double(sum) / 2;
 }
 
-bool isConvex(const std::vector<Vec2>& p) {
+bool isNearlyConvex(const std::vector<Vec2>& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2 a = p[(i + 1) % p.size()] - p[i];
     const Vec2 b = p[(i + 2) % p.size()] - p[(i + 1) % p.size()];
-    if (cross(a, b) < -kEps * (length(a) + length(b))) return false;
+    if (cross(a, b) < -kExactEps * (length(a) + length(b))) return false;
   }
   return true;
 }
@@ -79,10 +79,10 @@ TEST(Intersection, HasTheAreaThatExactArithmeticFinds) {
   for (int i = 0; i < 300; ++i) {
     const std::vector<Vec2> a = randomConvex(random, random.count(3, 9));
     const std::vector<Vec2> b = randomConvex(random, random.count(3, 9));
-    const std::vector<Vec2> common = intersection(a, b, kEps);
+    const std::vector<Vec2> common = intersection(a, b, kExactEps);
     const double exact = exactArea(a, b);
-    EXPECT_NEAR(common.empty() ? 0 : signedArea(common), exact, 300 * kEps) << i;
-    EXPECT_TRUE(isConvex(common)) << i;
+    EXPECT_NEAR(common.empty() ? 0 : signedArea(common), exact, 300 * kExactEps) << i;
+    EXPECT_TRUE(isNearlyConvex(common)) << i;
     if (!common.empty()) ++met;
   }
   EXPECT_GT(met, 50);

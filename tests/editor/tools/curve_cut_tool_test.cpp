@@ -112,25 +112,20 @@ ToolDriver waved() {
   return hand;
 }
 
-double areaAfter(const ToolDriver& hand) {
-  const auto after = hand.result();
-  return after ? areaOf(*after) : -1;
-}
-
 TEST(CurveCutTool, AClickOnAPieceKeepsOrDropsItAndTheLastOneChangesPlaces) {
   ToolDriver hand = waved();
-  const double first = areaAfter(hand);
+  const double first = hand.areaAfter();
   EXPECT_NEAR(first, 3000, 400);  // less of the rim than the other
   hand.click({80, 50});           // the other one, too
-  EXPECT_NEAR(areaAfter(hand), 10000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000, 1e-6);
   hand.click({15, 20});
-  EXPECT_NEAR(areaAfter(hand), 10000 - first, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000 - first, 1e-6);
   hand.click({80, 50});  // what is left cannot go: the rest stays instead
-  EXPECT_NEAR(areaAfter(hand), first, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), first, 1e-6);
   hand.set("keep", 1);
-  EXPECT_NEAR(areaAfter(hand), 10000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000, 1e-6);
   hand.set("keep", 0);
-  EXPECT_NEAR(areaAfter(hand), first, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), first, 1e-6);
 }
 
 TEST(CurveCutTool, WhatGoesIsOutlinedWhereItWas) {
@@ -172,14 +167,14 @@ TEST(CurveCutTool, ACutWithoutSidesStillKeepsAPiece) {
 
 TEST(CurveCutTool, TheMarkOfWhatStaysCanBeDraggedAcross) {
   ToolDriver hand = waved();
-  const double first = areaAfter(hand);
+  const double first = hand.areaAfter();
   Vec2 mark;
   for (const Mark& m : hand.tool().marks(hand.scope())) {
     const auto* text = std::get_if<TextMark>(&m);
     if (text) mark = std::get<Spot>(text->at).paper;
   }
   hand.drag(mark, {80, 40});
-  EXPECT_NEAR(areaAfter(hand), 10000 - first, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000 - first, 1e-6);
 }
 
 TEST(CurveCutTool, ControlsStayEditableUntilTheCutIsMade) {
@@ -234,11 +229,11 @@ TEST(CurveCutTool, AClickOnTheStartClosesAWindowWhichFallsOut) {
   const CurveCutStep step = curveOf(hand.step());
   EXPECT_TRUE(step.isClosed);
   EXPECT_EQ(step.controls.size(), 4U);
-  const double area = areaAfter(hand);
+  const double area = hand.areaAfter();
   EXPECT_LT(area, 10000 - 100);
   EXPECT_GT(area, 10000 - 400);
   hand.click({50, 50});
-  EXPECT_NEAR(areaAfter(hand), 10000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000, 1e-6);
 }
 
 TEST(CurveCutTool, ASlitPartsNothingAndKeepsEverything) {
@@ -288,7 +283,7 @@ TEST(CurveCutTool, AStrokeThatComesBackToItsStartIsClosed) {
   for (int i = 1; i <= 90; ++i) hand.moveTo(at(6.2832 * i / 90));
   hand.release(at(6.2832));
   EXPECT_TRUE(curveOf(hand.step()).isClosed);
-  EXPECT_NEAR(areaAfter(hand), 10000 - 3.14159 * 25 * 15, 40);
+  EXPECT_NEAR(hand.areaAfter(), 10000 - 3.14159 * 25 * 15, 40);
 }
 
 TEST(CurveCutTool, OnlyTheUppermostLayerIsCutWhenTheWheelSaysSo) {
@@ -312,7 +307,7 @@ TEST(CurveCutTool, OnlyTheUppermostLayerIsCutWhenTheWheelSaysSo) {
     hand.held.control = true;
     hand.wheel({70, 30}, 1);
     hand.held.control = false;
-    EXPECT_NEAR(10000 - areaAfter(hand), 2 * hole, 1e-6);
+    EXPECT_NEAR(10000 - hand.areaAfter(), 2 * hole, 1e-6);
   }
 }
 

@@ -17,11 +17,6 @@ ToolDriver handOn(ToolId tool, const FoldedState& state) {
   return hand;
 }
 
-double areaAfter(const ToolDriver& hand) {
-  const auto after = hand.result();
-  return after ? areaOf(*after) : -1;
-}
-
 TEST(StraightCutTool, FoldCutFoldComesOutAsInTheExample) {
   const Example example = exampleOf("straight_cut");
   ToolDriver hand = handOn(ToolId::StraightCut, example.after(1));
@@ -29,9 +24,9 @@ TEST(StraightCutTool, FoldCutFoldComesOutAsInTheExample) {
   ASSERT_TRUE(hand.proposal());
   EXPECT_TRUE(hand.proposal()->isComplete);
   // The parts are nearly equal; the smaller of them is what the example keeps.
-  EXPECT_NEAR(areaAfter(hand), 10000 - areaOf(example.after(2)), 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000 - areaOf(example.after(2)), 1e-6);
   hand.click({30, 90});
-  EXPECT_NEAR(areaAfter(hand), areaOf(example.after(2)), 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), areaOf(example.after(2)), 1e-6);
   hand.key(Key::Enter);
   ASSERT_EQ(hand.steps().size(), 1U);
   EXPECT_LT(rimGap(hand.state(), example.after(2)), 1e-9);
@@ -53,8 +48,8 @@ TEST(StraightCutTool, TwoClicksAndADragMeanTheSameFromFrontAndBack) {
     clicked.look(side);
     clicked.click({-20, 80});
     clicked.click({70, 70});
-    EXPECT_NEAR(areaAfter(dragged), areaAfter(clicked), 1e-9);
-    areas.push_back(areaAfter(dragged));
+    EXPECT_NEAR(dragged.areaAfter(), clicked.areaAfter(), 1e-9);
+    areas.push_back(dragged.areaAfter());
   }
   EXPECT_NEAR(areas[0], areas[1], 1e-9);
   EXPECT_LT(areas[0], 9000);
@@ -80,16 +75,16 @@ TEST(StraightCutTool, WhatTheExamplesTrimIsTrimmedWithoutAWord) {
 TEST(StraightCutTool, ADragOnThePaperIsAnotherCutAndAClickIsAPiece) {
   ToolDriver hand = handOn(ToolId::StraightCut, run("square 100"));
   hand.drag({-10, 30}, {110, 30});
-  EXPECT_NEAR(areaAfter(hand), 7000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 7000, 1e-6);
   hand.click({50, 10});
-  EXPECT_NEAR(areaAfter(hand), 10000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000, 1e-6);
   hand.drag({20, 90}, {20, -10});
   const auto step = std::get<StraightCutStep>(hand.step().action);
   EXPECT_NEAR(step.line.from.x, 20, 1e-9);
-  EXPECT_NEAR(areaAfter(hand), 10000, 1e-6);  // a slit: it does not reach the upper border
-  hand.drag({20, -10}, {20, -30});            // the handle of its end
-  hand.drag({20, 90}, {20, 130});             // and of its start
-  EXPECT_NEAR(areaAfter(hand), 8000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 10000, 1e-6);  // a slit: it does not reach the upper border
+  hand.drag({20, -10}, {20, -30});             // the handle of its end
+  hand.drag({20, 90}, {20, 130});              // and of its start
+  EXPECT_NEAR(hand.areaAfter(), 8000, 1e-6);
 }
 
 TEST(StraightCutTool, LengthAndDirectionCanBeTyped) {
@@ -100,7 +95,7 @@ TEST(StraightCutTool, LengthAndDirectionCanBeTyped) {
   const auto step = std::get<StraightCutStep>(hand.step().action);
   EXPECT_NEAR(step.line.to.x - step.line.from.x, 120, 1e-9);
   EXPECT_NEAR(step.line.to.y, step.line.from.y, 1e-9);
-  EXPECT_NEAR(areaAfter(hand), 7000, 1e-6);
+  EXPECT_NEAR(hand.areaAfter(), 7000, 1e-6);
 }
 
 TEST(StraightCutTool, GoesStraightThroughAHalfFoldedModel) {

@@ -15,7 +15,7 @@ namespace {
 
 TearStep tearOf(const Step& step) { return std::get<TearStep>(step.action); }
 
-const char* const kHalvedSheet = "square 100; fold A valley 50,0 50,100 left; unfold all";
+const char* const kHalvedAndOpened = "square 100; fold A valley 50,0 50,100 left; unfold all";
 const char* const kCross = "square 100; edge 50,0 50,100; edge 0,50 100,50";
 
 TEST(TearTool, TheShipIsTornFoldedAndMendedAsInTheExample) {
@@ -51,7 +51,7 @@ TEST(TearTool, TheShipIsTornFoldedAndMendedAsInTheExample) {
 }
 
 TEST(TearTool, TornAndMendedIsAsItWas) {
-  ToolDriver hand(ToolId::Tear, kHalvedSheet);
+  ToolDriver hand(ToolId::Tear, kHalvedAndOpened);
   hand.drag({50, 0}, {50, 100});
   EXPECT_EQ(tearOf(hand.step()).path.points.size(), 2U);
   hand.key(Key::Enter);
@@ -67,7 +67,7 @@ TEST(TearTool, TornAndMendedIsAsItWas) {
 }
 
 TEST(TearTool, EndsInsideAnEdgeWhereTheHandLetsGo) {
-  ToolDriver hand(ToolId::Tear, kHalvedSheet);
+  ToolDriver hand(ToolId::Tear, kHalvedAndOpened);
   hand.snaps.isOn = false;
   hand.drag({50, 0}, {52, 37});
   const std::vector<Vec2> points = tearOf(hand.step()).path.points;
@@ -241,7 +241,7 @@ TEST(TearTool, PlainPaperIsLeftToTheEye) {
 }
 
 TEST(TearTool, EscapeLeavesThePaperWhole) {
-  ToolDriver hand(ToolId::Tear, kHalvedSheet);
+  ToolDriver hand(ToolId::Tear, kHalvedAndOpened);
   hand.drag({50, 0}, {50, 100});
   EXPECT_TRUE(hand.key(Key::Escape).isHandled);
   EXPECT_FALSE(hand.proposal());

@@ -140,6 +140,11 @@ Step ToolDriver::step() const {
 
 Result<FoldedState> ToolDriver::result() const { return apply(*state_, step(), scope().number); }
 
+double ToolDriver::areaAfter() const {
+  const Result<FoldedState> after = result();
+  return after ? areaOf(*after) : -1;
+}
+
 Field ToolDriver::field(const std::string& id) const {
   for (const Field& field : tool_->fields(scope())) {
     if (field.id == id) return field;

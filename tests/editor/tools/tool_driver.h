@@ -60,6 +60,8 @@ class ToolDriver {
   Step step() const;
   /// The proposal's step applied by itself. Throws when there is none.
   Result<FoldedState> result() const;
+  /// The area, mm2, of what would come of it; -1 when it does not apply.
+  double areaAfter() const;
   /// The field. Throws when the tool shows none of this name.
   Field field(const std::string& id) const;
   bool hasField(const std::string& id) const;
