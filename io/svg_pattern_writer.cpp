@@ -101,8 +101,8 @@ class SvgPattern {
       if (edge.kind != EdgeKind::Hinge) continue;
       const char own = edge.angle > 0 ? 'V' : edge.angle < 0 ? 'M' : 'F';
       if (own != letter) continue;
-      constexpr double kHalfTurn = 180;
-      const double part = std::fabs(edge.angle) / kHalfTurn;
+      constexpr double kFoldedFlat = 180;
+      const double part = std::fabs(edge.angle) / kFoldedFlat;
       // Programs that read colours take the target angle from the opacity.
       std::string more;
       if (part > 0 && part < 1) more += " stroke-opacity=\"" + mm(part) + "\"";

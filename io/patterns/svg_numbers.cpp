@@ -135,18 +135,18 @@ double SvgLength::inUser(double whole) const {
 }
 
 std::optional<double> SvgLength::inMm() const {
-  constexpr double kInch = 25.4;
+  constexpr double kInchOfPage = 25.4;
   switch (unit) {
     case Unit::Millimetre:
       return value;
     case Unit::Centimetre:
       return value * 10;
     case Unit::Inch:
-      return value * kInch;
+      return value * kInchOfPage;
     case Unit::Point:
-      return value * kInch / 72;
+      return value * kInchOfPage / 72;
     case Unit::Pica:
-      return value * kInch / 6;
+      return value * kInchOfPage / 6;
     case Unit::Quarter:
       return value / 4;
     case Unit::User:

@@ -12,6 +12,7 @@
 #include "core/paper/contours.h"
 #include "render/scene/label_room.h"
 #include "render/scene/page_text.h"
+#include "render/scene/paled.h"
 
 namespace kiri {
 namespace {
@@ -30,13 +31,6 @@ constexpr double kRoom = 9;
 constexpr double kMinorReach = 12;
 /// How much white is mixed into the paper, so that lines and numbers stand out.
 constexpr double kWhite = 0.75;
-
-Color paled(Color color) {
-  const auto mixed = [](std::uint8_t part) {
-    return static_cast<std::uint8_t>(std::lround(part + (255 - part) * kWhite));
-  };
-  return {mixed(color.red), mixed(color.green), mixed(color.blue)};
-}
 
 /// What is nearer than this is one number, so that both sides of a leaf are rounded alike.
 double settled(double value) {
@@ -176,8 +170,7 @@ class MeasureItems {
 
 Scene measureScene(const FoldedState& state, const LeafMeasures& measures,
                    const Appearance& appearance, PatternSceneOptions options) {
-  Appearance pale = appearance;
-  pale.front = {paled(appearance.front.color), nullptr};
+  Appearance pale = paledFor(appearance, kWhite);
   const Box box = paperBoxOf(state.pattern);
   const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y) * options.scale;
   const double height = kTextPart * size;

@@ -9,6 +9,7 @@
 #include "render/scene/label_room.h"
 #include "render/scene/page.h"
 #include "render/scene/page_text.h"
+#include "render/scene/paled.h"
 #include "render/scene/pattern_check_scene.h"
 #include "render/scene/pattern_page.h"
 

@@ -3,7 +3,6 @@
 #include "render/scene/pattern_page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "render/scene/page_text.h"
@@ -16,21 +15,7 @@ constexpr double kLineStep = 1.5 * kWordHeight;
 constexpr double kIndent = 5;  // mm, of the words behind a sign
 constexpr double kNarrowest = 90;
 
-Color mixedWithWhite(Color color) {
-  constexpr double kWhite = 0.85;
-  const auto mixed = [](std::uint8_t part) {
-    return static_cast<std::uint8_t>(std::lround(part + (255 - part) * kWhite));
-  };
-  return {mixed(color.red), mixed(color.green), mixed(color.blue)};
-}
-
 }  // namespace
-
-Appearance paledFor(const Appearance& appearance) {
-  Appearance pale = appearance;
-  pale.front = {mixedWithWhite(appearance.front.color), nullptr};
-  return pale;
-}
 
 PatternPage::PatternPage(Vec2 pictures, std::vector<LegendLine> legend,
                          const PatternCheckOptions& options)

@@ -6,14 +6,10 @@
 #include <vector>
 
 #include "core/paper/crease_pattern.h"
-#include "render/scene/appearance.h"
 #include "render/scene/pattern_check_scene.h"
 #include "render/scene/scene.h"
 
 namespace kiri {
-
-/// The paper paled, so that lines and marks stand out.
-Appearance paledFor(const Appearance& appearance);
 
 /// A line of a legend: words, and what stands before them.
 struct LegendLine {
