@@ -13,33 +13,51 @@ namespace {
 
 using Wanted = std::pair<FoldLineId, double>;
 
-/// A line of the group that can move next, and what comes of it.
-struct Next {
-  FoldedState state;
-  std::size_t place;
-  Movements movements;
-};
-
 Error cancelled() { return {ErrorCode::Cancelled, "the folds were stopped on their way", {}}; }
 
-/// How one line moves about its own axis.
-using MovesAlone = Result<FoldedState> (*)(const FoldedState&, FoldLineId, double, Movements*);
+/// An end of lines that moved, and the way there.
+struct Moved {
+  Result<FoldedState> end;
+  Movements way;
+
+  bool isFree(const FoldedState& start) const {
+    return end && end->collisions.size() == start.collisions.size();
+  }
+  /// The better one collides less.
+  void improve(Moved other) {
+    if (other.end && (!end || other.end->collisions.size() < end->collisions.size()))
+      *this = std::move(other);
+  }
+};
+
+/// How one line moves.
+using MovesLine = Result<FoldedState> (*)(const FoldedState&, FoldLineId, double, Movements*);
+
+Moved movedBy(MovesLine moves, const FoldedState& state, const Wanted& wanted, bool isRecorded) {
+  Movements way;
+  Result<FoldedState> end = moves(state, wanted.first, wanted.second, isRecorded ? &way : nullptr);
+  return {std::move(end), std::move(way)};
+}
+
+/// A line of the group that can move next, and what comes of it.
+struct Next {
+  Moved moved;
+  std::size_t place;
+};
 
 /// The first line that can move so without a collision; else the first that can move at all.
 Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wanted,
-                        bool isRecorded, MovesAlone moved) {
+                        bool isRecorded, MovesLine moves) {
   std::optional<Next> best;
   std::optional<Error> error;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    Movements made;
-    Result<FoldedState> next =
-        moved(state, wanted[i].first, wanted[i].second, isRecorded ? &made : nullptr);
-    if (!next) {
-      if (!error) error = next.error();
+    Moved next = movedBy(moves, state, wanted[i], isRecorded);
+    if (!next.end) {
+      if (!error) error = next.end.error();
       continue;
     }
-    const bool isFree = next->collisions.size() == state.collisions.size();
-    if (isFree || !best) best = Next{std::move(*next), i, std::move(made)};
+    const bool isFree = next.isFree(state);
+    if (isFree || !best) best = Next{std::move(next), i};
     if (isFree) break;
   }
   if (!best) return *error;
@@ -49,16 +67,16 @@ Result<Next> nextToMove(const FoldedState& state, const std::vector<Wanted>& wan
 /// Tries the lines in turn and again until all have moved.
 Result<FoldedState> moveInAnyOrder(const FoldedState& start, std::vector<Wanted> wanted,
                                    Movements* record, const Progress& progress,
-                                   MovesAlone moved = setAmountAlone) {
+                                   MovesLine moves = setAmountAlone) {
   FoldedState state = start;
   const auto all = static_cast<double>(wanted.size());
   while (!wanted.empty()) {
     if (!goesOn(progress, 1 - static_cast<double>(wanted.size()) / all)) return cancelled();
-    Result<Next> next = nextToMove(state, wanted, record != nullptr, moved);
+    Result<Next> next = nextToMove(state, wanted, record != nullptr, moves);
     if (!next) return next.error();
-    state = std::move(next->state);
-    if (record != nullptr)
-      record->insert(record->end(), next->movements.begin(), next->movements.end());
+    state = std::move(*next->moved.end);
+    const Movements& way = next->moved.way;
+    if (record != nullptr) record->insert(record->end(), way.begin(), way.end());
     wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(next->place));
   }
   return state;
@@ -162,35 +180,14 @@ bool isHeld(const FoldedState& state, std::size_t before) {
       [](const Collision& collision) { return collision.moment == CollisionMoment::Hinge; });
 }
 
-/// A line that was moved, or could not be.
-struct Attempt {
-  Result<FoldedState> next;
-  Movements made;
-
-  bool isFree(const FoldedState& before) const {
-    return next && next->collisions.size() == before.collisions.size();
-  }
-};
-
 /// One of several lines. What other folds turned over moves only where that is free: the lines that
 /// would turn it back may come later.
-Attempt attempt(const FoldedState& state, const Wanted& wanted, bool isOnly) {
-  Movements made;
-  if (isOnly) {
-    Result<FoldedState> next = setAmount(state, wanted.first, wanted.second, &made);
-    return {std::move(next), std::move(made)};
-  }
-  Result<FoldedState> next = setAmountFollowed(state, wanted.first, wanted.second, &made);
-  if (next || next.error().code != ErrorCode::Locked) return {std::move(next), std::move(made)};
-  Result<FoldedState> over = setAmountTurnedOver(state, wanted.first, wanted.second, &made);
-  Attempt turned{std::move(over), std::move(made)};
-  return turned.isFree(state) ? std::move(turned) : Attempt{std::move(next), {}};
-}
-
-Attempt attemptAlone(const FoldedState& state, const Wanted& wanted) {
-  Movements made;
-  Result<FoldedState> next = setAmountAlone(state, wanted.first, wanted.second, &made);
-  return {std::move(next), std::move(made)};
+Moved moveOneOf(const FoldedState& state, const Wanted& wanted, bool isOnly, bool isRecorded) {
+  if (isOnly) return movedBy(setAmount, state, wanted, isRecorded);
+  Moved next = movedBy(setAmountFollowed, state, wanted, isRecorded);
+  if (next.end || next.end.error().code != ErrorCode::Locked) return next;
+  Moved turned = movedBy(setAmountTurnedOver, state, wanted, isRecorded);
+  return turned.isFree(state) ? std::move(turned) : std::move(next);
 }
 
 /// In which order lines move one after the other.
@@ -203,51 +200,37 @@ InOrder moveInOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
                     const OrderRule& rule, Movements* record, const Progress& progress) {
   InOrder way{start, wanted, {}};
   const auto all = static_cast<double>(wanted.size());
+  const bool isRecorded = record != nullptr;
   while (!way.left.empty()) {
     if (!goesOn(progress, 1 - static_cast<double>(way.left.size()) / all)) {
       way.why = cancelled();
       return way;
     }
     std::size_t place = 0;
-    Attempt taken = attempt(way.state, way.left.front(), wanted.size() == 1);
+    Moved taken = moveOneOf(way.state, way.left.front(), wanted.size() == 1, isRecorded);
     for (std::size_t i = 1; rule.mayWait && i < way.left.size() && !taken.isFree(way.state); ++i) {
-      Attempt other = attemptAlone(way.state, way.left[i]);
+      Moved other = movedBy(setAmountAlone, way.state, way.left[i], isRecorded);
       if (!other.isFree(way.state)) continue;
       taken = std::move(other);
       place = i;
     }
-    if (!taken.next) {
-      way.why = taken.next.error();
+    if (!taken.end) {
+      way.why = taken.end.error();
       return way;
     }
-    if (rule.stopsWhereHeld && isHeld(*taken.next, way.state.collisions.size())) return way;
-    way.state = std::move(*taken.next);
-    if (record != nullptr) record->insert(record->end(), taken.made.begin(), taken.made.end());
+    if (rule.stopsWhereHeld && isHeld(*taken.end, way.state.collisions.size())) return way;
+    way.state = std::move(*taken.end);
+    if (isRecorded) record->insert(record->end(), taken.way.begin(), taken.way.end());
     way.left.erase(way.left.begin() + static_cast<std::ptrdiff_t>(place));
   }
   return way;
 }
 
-/// An end of lines that moved, and the way there.
-struct Moved {
-  Result<FoldedState> end;
-  Movements way;
-
-  bool isFree(const FoldedState& start) const {
-    return end && end->collisions.size() == start.collisions.size();
-  }
-  /// The better one collides less.
-  void improve(Moved other) {
-    if (other.end && (!end || other.end->collisions.size() < end->collisions.size()))
-      *this = std::move(other);
-  }
-};
-
 Moved movedInAnyOrder(const FoldedState& start, const std::vector<Wanted>& wanted,
-                      const Progress& progress, bool isRecorded, MovesAlone moved) {
+                      const Progress& progress, bool isRecorded, MovesLine moves) {
   Movements way;
   Result<FoldedState> end =
-      moveInAnyOrder(start, wanted, isRecorded ? &way : nullptr, progress, moved);
+      moveInAnyOrder(start, wanted, isRecorded ? &way : nullptr, progress, moves);
   return {std::move(end), std::move(way)};
 }
 
