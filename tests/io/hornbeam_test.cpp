@@ -9,8 +9,7 @@
 #include "core/model/apply.h"
 #include "core/model/replay.h"
 #include "core/model/timeline.h"
-#include "io/file.h"
-#include "io/kiri_reader.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 #include "tests/support/model_text.h"
 #include "tests/support/state_check.h"
@@ -22,13 +21,7 @@ constexpr double kVeinAngle = 45;
 constexpr double kVeinDistance = 9.5;  // mm along the mid-vein
 constexpr int kVeins = 12;
 
-Model hornbeam() {
-  const Result<std::string> text = readFile(KIRI_SOURCE_DIR "/examples/leaf_hornbeam.kiri");
-  EXPECT_TRUE(text.isOk());
-  const Result<LoadedModel> loaded = readKiri(*text, "leaf_hornbeam.kiri");
-  EXPECT_TRUE(loaded.isOk());
-  return loaded->model;
-}
+Model hornbeam() { return test::modelOfExample("leaf_hornbeam"); }
 
 FoldedState stateAfter(const Model& model, std::size_t steps) {
   const Result<Replay> replayed = replay(model);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "io/file.h"
@@ -36,6 +35,10 @@ Model modelInFile(const std::filesystem::path& file) {
   if (!loaded) throw std::runtime_error(loaded.error().message);
   if (!loaded->warnings.empty()) throw std::runtime_error(loaded->warnings.front());
   return std::move(loaded->model);
+}
+
+Model modelOfExample(const std::string& name) {
+  return modelInFile(KIRI_SOURCE_DIR "/examples/" + name + ".kiri");
 }
 
 }  // namespace kiri::test

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/model/model.h"
@@ -18,5 +19,8 @@ std::vector<std::filesystem::path> exampleFilesThatTakeLong();
 /// The model in a file. Throws std::runtime_error with the reader's sentence when there is none,
 /// or when the reader warns: nothing in examples/ is out of date.
 Model modelInFile(const std::filesystem::path& file);
+
+/// The same for a model of examples/, named without its ending.
+Model modelOfExample(const std::string& name);
 
 }  // namespace kiri::test

@@ -7,8 +7,7 @@
 #include "editor/motion/all_slider.h"
 #include "editor/motion/fold_sliders.h"
 #include "editor/motion/player.h"
-#include "io/file.h"
-#include "io/kiri_reader.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 #include "tests/support/state_check.h"
 #include "tests/support/state_text.h"
@@ -18,10 +17,7 @@ namespace {
 
 class Example : public testing::TestWithParam<const char*> {
  protected:
-  static Model model() {
-    const std::string file = std::string(KIRI_SOURCE_DIR "/examples/") + GetParam() + ".kiri";
-    return readKiri(readFile(file).value(), file).value().model;
-  }
+  static Model model() { return test::modelOfExample(GetParam()); }
   static std::shared_ptr<const FoldedState> last() {
     return History::open(model()).value().sharedState();
   }

@@ -7,9 +7,8 @@
 #include <memory>
 
 #include "editor/tools/layer_picker.h"
-#include "io/file.h"
-#include "io/kiri_reader.h"
 #include "tests/editor/session/hand.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 #include "tests/support/order_check.h"
 
@@ -23,11 +22,7 @@ using test::Sitter;
 class BirdJourney : public testing::Test {
  protected:
   void SetUp() override {
-    const Result<std::string> text = readFile(KIRI_SOURCE_DIR "/examples/origami_bird.kiri");
-    ASSERT_TRUE(text.isOk());
-    Result<LoadedModel> loaded = readKiri(*text, "origami_bird.kiri");
-    ASSERT_TRUE(loaded.isOk());
-    Result<Document> document = Document::create(std::move(loaded->model));
+    Result<Document> document = Document::create(test::modelOfExample("origami_bird"));
     ASSERT_TRUE(document.isOk());
     told = std::make_unique<Document>(std::move(*document));
     Model bare;

@@ -7,9 +7,8 @@
 #include <string>
 #include <variant>
 
-#include "io/file.h"
-#include "io/kiri_reader.h"
 #include "tests/editor/session/hand.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 
 namespace kiri {
@@ -23,12 +22,7 @@ using test::Sitter;
 class LeafByHand : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    const std::string name = std::string("/examples/") + GetParam() + ".kiri";
-    const Result<std::string> text = readFile(KIRI_SOURCE_DIR + name);
-    ASSERT_TRUE(text.isOk());
-    Result<LoadedModel> loaded = readKiri(*text, name);
-    ASSERT_TRUE(loaded.isOk());
-    Result<Document> document = Document::create(std::move(loaded->model));
+    Result<Document> document = Document::create(test::modelOfExample(GetParam()));
     ASSERT_TRUE(document.isOk());
     told = std::make_unique<Document>(std::move(*document));
     Model bare;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "io/file.h"
 #include "io/kiri_reader.h"
 #include "io/kiri_writer.h"
 #include "tests/editor/session/hand.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 #include "tests/support/order_check.h"
 
@@ -16,10 +16,7 @@ using test::Hand;
 using test::Sitter;
 
 FoldedState exampleLeaf() {
-  const Result<std::string> text = readFile(KIRI_SOURCE_DIR "/examples/leaf_palmate.kiri");
-  const Result<LoadedModel> loaded = readKiri(*text, "leaf_palmate.kiri");
-  const Result<Document> document = Document::create(loaded->model);
-  return *document->state();
+  return *Document::create(test::modelOfExample("leaf_palmate")).value().state();
 }
 
 TEST(LeafJourney, APalmateLeafIsFoldedCutUnfoldedSavedAndUndoneByHand) {

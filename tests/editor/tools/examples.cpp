@@ -2,11 +2,9 @@
 #include "tests/editor/tools/examples.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
-#include "io/kiri_reader.h"
+#include "tests/support/example_files.h"
 
 namespace kiri::test {
 namespace {
@@ -40,16 +38,12 @@ const FoldedState& Example::after(std::size_t steps) const {
 }
 
 Example exampleOf(const std::string& name) {
-  std::ifstream file(std::string(KIRI_SOURCE_DIR) + "/examples/" + name + ".kiri");
-  std::stringstream text;
-  text << file.rdbuf();
-  const Result<LoadedModel> loaded = readKiri(text.str(), name);
-  if (!loaded) throw std::runtime_error(loaded.error().message);
-  Result<Replay> replayed = replay(loaded->model);
+  const Model model = modelOfExample(name);
+  Result<Replay> replayed = replay(model);
   if (!replayed) throw std::runtime_error(replayed.error().message);
-  const auto last = replayed->after(loaded->model.steps.size());
+  const auto last = replayed->after(model.steps.size());
   if (!last) throw std::runtime_error(last.error().message);
-  return {loaded->model, std::move(*replayed)};
+  return {model, std::move(*replayed)};
 }
 
 double rimGap(const FoldedState& a, const FoldedState& b) {

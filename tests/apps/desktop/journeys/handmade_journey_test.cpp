@@ -4,9 +4,8 @@
 
 #include "editor/tools/curve_shape.h"
 #include "editor/tools/layer_picker.h"
-#include "io/file.h"
-#include "io/kiri_reader.h"
 #include "tests/apps/desktop/journeys/journey.h"
+#include "tests/support/example_files.h"
 #include "tests/support/expect.h"
 
 namespace kiri::desktop {
@@ -17,11 +16,7 @@ class ByHand : public Journey {
  protected:
   /// Opens the bare sheet of the example, in its colours.
   void begin(const std::string& name) {
-    const Result<std::string> text = readFile(KIRI_SOURCE_DIR "/examples/" + name);
-    ASSERT_TRUE(text.isOk());
-    Result<LoadedModel> loaded = readKiri(*text, name);
-    ASSERT_TRUE(loaded.isOk());
-    Result<Document> document = Document::create(std::move(loaded->model));
+    Result<Document> document = Document::create(test::modelOfExample(name));
     ASSERT_TRUE(document.isOk());
     told = std::make_unique<Document>(std::move(*document));
     Model bare;
@@ -102,7 +97,7 @@ class ByHand : public Journey {
 };
 
 TEST_F(ByHand, TheCupFoldedByHandIsTheExamplesCup) {  // Figure 7.16
-  begin("origami_cup.kiri");
+  begin("origami_cup");
   const Vec2 left{-41.4214, 58.5786};  // where the level edge meets the sides
   const Vec2 right{41.4214, 58.5786};
   foldOver({0, -100}, {0, 100});
@@ -143,7 +138,7 @@ class LeafByHand : public ByHand {
 };
 
 TEST_F(LeafByHand, ALeafFoldedAndCutByHandIsTheExamplesLeaf) {  // Figure 1.2
-  begin("leaf_three_lobes.kiri");
+  begin("leaf_three_lobes");
   foldFromPetiole(90, 'm', {40, 75});
   command("unfold-all");
   for (const double side : {1.0, -1.0}) {
@@ -167,7 +162,7 @@ TEST_F(LeafByHand, ALeafFoldedAndCutByHandIsTheExamplesLeaf) {  // Figure 1.2
 }
 
 TEST_F(ByHand, AStarFoldedAndCutTwiceByHandIsTheExamplesStar) {  // Figure 7.18
-  begin("kirigami_star.kiri");
+  begin("kirigami_star");
   foldOver({120, 0}, {0, 0});
   foldOver({0, 120}, {0, 0});
   take(ToolId::StraightCut);
