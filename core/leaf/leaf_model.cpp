@@ -8,21 +8,31 @@
 
 namespace kiri {
 
-Result<FoldedHalf> foldedHalfOf(const LeafRecipe& recipe) {
+namespace {
+
+/// The fan of a recipe that can be folded.
+Result<std::vector<FanRay>> foldableFan(const LeafRecipe& recipe) {
   if (!(std::isfinite(recipe.midVein) && recipe.midVein > 0)) {
     return Error{ErrorCode::BadValue, "the mid-vein needs a length in mm above 0"};
   }
-  const Result<std::vector<FanRay>> fan = fanOf(recipe);
-  if (!fan) return fan.error();
+  Result<std::vector<FanRay>> fan = fanOf(recipe);
+  if (!fan) return fan;
   if (Status status = checkSecondaryLobes(recipe, *fan); !status) return status.error();
+  return fan;
+}
+
+}  // namespace
+
+Result<FoldedHalf> foldedHalfOf(const LeafRecipe& recipe) {
+  const Result<std::vector<FanRay>> fan = foldableFan(recipe);
+  if (!fan) return fan.error();
   return FoldedHalf(recipe, *fan);
 }
 
 Result<LeafModel> leafModelOf(const LeafRecipe& recipe) {
-  const Result<FoldedHalf> folded = foldedHalfOf(recipe);
-  if (!folded) return folded.error();
-  const FoldedHalf& half = *folded;
-  const Result<std::vector<FanRay>> fan = fanOf(recipe);
+  const Result<std::vector<FanRay>> fan = foldableFan(recipe);
+  if (!fan) return fan.error();
+  const FoldedHalf half(recipe, *fan);
   const Result<std::vector<MarginKnot>> knots = marginKnots(recipe, half);
   if (!knots) return knots.error();
   const Result<MarginCurve> curve = marginCurve(half, *knots);
